@@ -65,14 +65,6 @@ def test_missing_files_are_named(made: bench.Made, tmp_path: Path, capsys: pytes
     assert missing in capsys.readouterr().err
 
 
-def test_unknown_control_is_refused_before_any_work(made: bench.Made, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    log = made.log(tmp_path / "log.csv")
-    out = tmp_path / "out"
-    assert main(["commission", "linuxcnc", str(made.ini), str(made.hal), "--log", str(log), "--for", "fanuc", "--out", str(out)]) == 2
-    assert "sinumerik" in capsys.readouterr().err
-    assert not out.exists()
-
-
 # --- what the loop is closed on -------------------------------------------------------------------------------------------------------
 
 FIELD = ("m.ini", "a.hal", "xy")

@@ -19,8 +19,7 @@ from contourlab.app.results import SAFETY, check_file, write_together
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array
 from contourlab.controls.linuxcnc.loops import LoopClass
-from contourlab.errors import ParameterError, refuse
-from contourlab.features.commission.control_terms import Term, cascade_of, term_table, terms_of
+from contourlab.errors import ParameterError
 from contourlab.features.commission.excitation import excitation, sampler, steps
 from contourlab.features.commission.identification import IdentifiedAxis, identify_axis
 from contourlab.features.commission.log_command import log as of_any_log
@@ -73,8 +72,6 @@ class Commissioned(Answer):
     models : dict of str to IdentifiedAxis
     findings : tuple of Finding
     files : tuple of Path
-    terms : tuple of Term
-        The proposed gains as parameters of another control.
     circle : dict of str to float [um]
         Largest radial error on the simulated circle, at the motors before and after, and at the load; empty unless x and y are known.
     answer : tuple of str
@@ -89,7 +86,6 @@ class Commissioned(Answer):
     models: dict[str, IdentifiedAxis]
     findings: tuple[Finding, ...]
     files: tuple[Path, ...] = ()
-    terms: tuple[Term, ...] = ()
     circle: dict[str, float] = field(default_factory=dict)
     answer: tuple[str, ...] = ()
     tables: tuple[Table, ...] = field(default=(), metadata=HIDDEN)
@@ -148,17 +144,13 @@ class Commissioned(Answer):
 
 
 @question(LinuxCNC)
-def commission(
-    ini: str | Path, hal: str | Path, *, control: str = "linuxcnc", settings: LinuxCNC, session: Session = QUIET
-) -> Commissioned:
-    """Find the gains of each servo loop of a control from its files and logs; without logs, what to run.
+def commission(ini: str | Path, hal: str | Path, *, settings: LinuxCNC, session: Session = QUIET) -> Commissioned:
+    """Find the gains of each servo loop of a LinuxCNC from its files and logs; without logs, what to run.
 
     Parameters
     ----------
     ini, hal : str or Path
         Files of LinuxCNC, with the gains in use.
-    control : str
-        The control: ``"linuxcnc"``.
 
     Returns
     -------
@@ -169,9 +161,8 @@ def commission(
     ScenarioError, LogError, ProgramError, FeedError
         If a file cannot be read, no axis has a pid, a travel is too short, or the program cannot be planned.
     ParameterError
-        If an option or the control is unknown.
+        If an option is unknown.
     """
-    refuse(control != "linuxcnc", ParameterError, "control", repr(control), "'linuxcnc'")
     setup, program = read_setup(ini, hal), settings.program
     inputs = (ini, hal, *settings.log, *([] if program is None else [program]))
     for name in (SECOND if settings.log else FIRST) if session.saving else ():
@@ -299,7 +290,8 @@ class _Work:
         if isinstance(identified, Finding):
             return [*findings, identified]
         axis.identified = identified
-        findings += [finding("CL868", place, why=f"{axis.loop.why}; {identified.answers(unit)}")] if velocity else []
+        whys = dict.fromkeys(one.why for one in (axis.loop, shown) if one and one.loop == "velocity drive")
+        findings += [finding("CL868", place, why="; ".join([*whys, identified.answers(unit)]))] if velocity else []
         tuned = not identified.usable or self._tune(axis, logs, identified)
         return [*findings, *identified.findings, *([] if tuned else [finding("CL897", place)])]
 
@@ -367,7 +359,7 @@ class _Work:
 
 def _answered(work: _Work, findings: Sequence[Finding], inputs: tuple[str | Path, ...]) -> Commissioned:
     """Return the answer, with the contents of its files."""
-    setup, program, control = work.setup, work.settings.program, work.settings.for_
+    setup, program = work.setup, work.settings.program
     models = {name: axis.identified for name, axis in work.axes.items() if axis.identified is not None}
     known = {name: model for name, model in models.items() if model.usable}
     gains, safe = {name: work.axes[name].gains(setup.unit) for name in known}, work.safe(known)
@@ -376,16 +368,13 @@ def _answered(work: _Work, findings: Sequence[Finding], inputs: tuple[str | Path
     silent = [name for name in work.axes if name not in gains]
     findings = [*findings, finding("CL867", setup.ini.file.name, axes=silent)] if silent else findings
     present = {axis.name: axis.gains for axis in setup.axes if axis.name in gains}
-    tables = {"Gains": gain_table(setup.axes, {"present": present, "safe first": safe, "proposed": gains})}
-    terms = terms_of(control, {name: cascade_of(row, known[name]) for name, row in rows.items()}) if control and rows else ()
-    tables |= {f"The proposed gains in other terms: {control}": term_table(terms)} if terms else {}
-    tables = {head: table for head, table in tables.items() if table.rows}
+    table = gain_table(setup.axes, {"present": present, "safe first": safe, "proposed": gains})
     diff, circle = "" if silent else changes(setup, gains), circle_errors(work, rows)
     charts = tuple(circle_charts(circle))
     picture = picture_bytes(lambda: drawing_of(charts, 4.2), "png") if charts else []
     report, gain_diff, safe_diff, image = SECOND
     title = f"Commissioning of {setup.ini.file.name}" + ("" if program is None else f" for {program.name}")
-    contents: dict[str, str | bytes] = {report: page(title, answer, tables, diff, picture, findings)}
+    contents: dict[str, str | bytes] = {report: page(title, answer, table, diff, picture, findings)}
     contents |= {} if silent else {gain_diff: diff, safe_diff: changes(setup, safe)}
     contents |= dict(zip([image], picture, strict=False))
     return Commissioned(
@@ -395,10 +384,9 @@ def _answered(work: _Work, findings: Sequence[Finding], inputs: tuple[str | Path
         {name: axis.predicted for name, axis in work.axes.items() if axis.predicted is not None},
         models,
         tuple(findings),
-        terms=terms,
         circle={name: 1e6 * float(np.abs(error).max()) for name, (_, error) in circle.items()},
         answer=answer,
-        tables=tuple(tables.values()),
+        tables=(table,) if table.rows else (),
         charts=charts,
         contents=contents,
         inputs=inputs,
@@ -521,13 +509,11 @@ def gain_table(axes: tuple[AxisSetup, ...], columns: Mapping[str, Mapping[str, M
     return Table([Column("gain", left=True), *map(Column, columns)], rows=whole)
 
 
-def page(
-    title: str, answer: Sequence[str], tables: Mapping[str, Table], diff: str, picture: Sequence[bytes], findings: Sequence[Finding]
-) -> str:
+def page(title: str, answer: Sequence[str], table: Table, diff: str, picture: Sequence[bytes], findings: Sequence[Finding]) -> str:
     """Return the report as one HTML page."""
     from contourlab.rendering.html import page_template
 
     image = "".join(base64.b64encode(content).decode() for content in picture)
     worst_first = sorted(findings, key=lambda doubt: ("error", "warning", "info").index(doubt.entry.severity))
     template = page_template("commission.html.j2")
-    return str(template.render(title=title, answer=answer, tables=tables, diff=diff, picture=image, findings=worst_first))
+    return str(template.render(title=title, answer=answer, table=table, diff=diff, picture=image, findings=worst_first))

@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -13,11 +14,12 @@ from contourlab.analysis.identification.least_squares import fit_records
 from contourlab.analysis.identification.left_over import left_over_findings
 from contourlab.app.json_values import HIDDEN
 from contourlab.app.session import QUIET, Answer, Session, question
+from contourlab.arrays import Array
 from contourlab.errors import ParameterError
-from contourlab.features.commission.log_loop import CLOCK, SURE, Bounds, FittedLoop, fit_servo
+from contourlab.features.commission.log_loop import CLOCK, SURE, TICK, Bounds, Known, fit_servo
 from contourlab.features.commission.log_terms import LogTerm, terms_of_log
 from contourlab.features.commission.options import OfLog
-from contourlab.features.commission.records import EXPLAINED, LATEST, QUICK, SPAN
+from contourlab.features.commission.records import EXPLAINED, QUICK, SPAN, explained_by_motion
 from contourlab.features.identify.command import axes_of
 from contourlab.features.identify.options import Identify
 from contourlab.features.identify.position_loop import WELL, check_follows, reverses
@@ -29,6 +31,7 @@ from contourlab.rendering.table import Column, Table, paragraphs
 
 FIGURES = {
     "Kv": ("Kv of the loop", "1/s"),
+    "reset": ("integral over gain of the loop", "1/s"),
     "shown": ("velocity over following error", "1/s"),
     "velocity_feedforward": ("velocity feedforward in force", "%"),
     "equivalent_time": ("equivalent time constant inside", "ms"),
@@ -42,10 +45,8 @@ FIGURES = {
 """Figures of an axis: what they are called, and their unit in the table."""
 DETERMINED = {"Kv": 0.3, "velocity_feedforward": 0.3, "equivalent_time": 1.0, "delay": 0.01}
 """Largest half interval of a figure that counts as determined, relative to it; of feedforward and delay [s], in absolute terms."""
-BALANCE = "sinumerik"
-"""The control that may delay the set position that its position controller sees."""
-LAW = 0.02
-"""Share of the drive command that the law of a position loop may leave."""
+LAW = 0.1
+"""Share that the law of a position loop may leave of what the drive command has beside set velocity and acceleration."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -122,13 +123,13 @@ def log(log: str | Path | Log, *, settings: OfLog, session: Session = QUIET) -> 
             request = Request(replace(options, axis=name), (opened,))
             (record,) = request.records(pieces=False)
             check_follows(record)
-            axes[name], more = _axis(record, settings.for_)
+            axes[name], more = _axis(record, settings)
             findings |= {str(doubt): doubt for doubt in (*more, *request.findings())}
     nothing = finding("CL940", control=settings.for_)
     return LogCommissioned(settings.for_, axes, (nothing, *findings.values()), _tables(axes, settings.for_))
 
 
-def _axis(record: AxisRecord, control: str) -> tuple[LoggedAxis, list[Finding]]:
+def _axis(record: AxisRecord, settings: OfLog) -> tuple[LoggedAxis, list[Finding]]:
     """Return the loop of an axis, and findings."""
     place, figures, findings = f"axis {record.axis}", dict[str, Bounds](), list[Finding]()
     known = None
@@ -136,14 +137,13 @@ def _axis(record: AxisRecord, control: str) -> tuple[LoggedAxis, list[Finding]]:
         known, figures, findings = _drive(record, place)
     stays = math.nan
     try:
-        loop = fit_servo(record, control == BALANCE, known)
+        loop = fit_servo(record, (sinumerik := settings.for_ == "sinumerik"), sinumerik or settings.proportional, known)
         stays = loop.stays
-        figures = _determined(loop) | figures
+        figures = _determined(loop.figures) | figures
         if any(doubt.code == "CL944" for doubt in findings):
             figures = {name: figure for name, figure in figures.items() if name in ("shown", "drive_gain")}
-        weight = figures.get("velocity_feedforward")
-        if weight is not None and weight.low <= 1.0 <= weight.high and figures["Kv"] is loop.figures["Kv"]:
-            findings.append(finding("CL947", place))
+        elif (gain := _determined(loop.proportional).get("Kv")) and "Kv" not in figures:
+            findings.append(finding("CL947", place, low=gain.low, high=gain.high))
         findings += [finding("CL594", place, stays=stays)] if stays > WELL else []
         rest, asked, explained = (
             np.diff(values) / record.period for values in (record.position - loop.position, record.asked(), loop.position)
@@ -154,17 +154,21 @@ def _axis(record: AxisRecord, control: str) -> tuple[LoggedAxis, list[Finding]]:
     except ParameterError as error:
         findings.append(finding("CL942", place, reason=str(error)))
     findings += [] if reverses(record) else [finding("CL593", place)]
-    return LoggedAxis(figures, stays, terms_of_log(control, figures)), findings
+    return LoggedAxis(figures, stays, terms_of_log(settings.for_, figures)), findings
 
 
-def _determined(loop: FittedLoop) -> dict[str, Bounds]:
+def _determined(x: Mapping[str, Bounds]) -> dict[str, Bounds]:
     """Return the figures that a log determines: without the gain, neither what the feedforward nor what the delay is."""
-    x = loop.figures
-    shown, friction = x["following_time"], x.get("friction_offset")
-    figures = {"shown": Bounds(1.0 / shown.value, 1.0 / shown.high, 1.0 / shown.low)} if shown.half < 0.3 * shown.value else {}
+    if not x:
+        return {}
+    shown, friction, integral = x["following_time"], x.get("friction_offset"), x["reset"].low > 0.0
+    figures = {}
+    if not integral and shown.half < 0.3 * shown.value:
+        figures["shown"] = Bounds(1.0 / shown.value, 1.0 / shown.high, 1.0 / shown.low)
     figures |= {"friction_offset": friction} if friction is not None and friction.low > 0.0 else {}
     if not x["Kv"].half < DETERMINED["Kv"] * x["Kv"].value:
         return figures
+    figures |= {"reset": x["reset"]} if integral else {}
     scale = {"Kv": x["Kv"].value, "velocity_feedforward": 1.0, "equivalent_time": x["equivalent_time"].value, "delay": 1.0}
     return figures | {name: x[name] for name, most in DETERMINED.items() if x[name].half < most * scale[name]}
 
@@ -172,61 +176,65 @@ def _determined(loop: FittedLoop) -> dict[str, Bounds]:
 # --- the drive command --------------------------------------------------------------------------------------------------------------
 
 
-def _drive(record: AxisRecord, place: str) -> tuple[tuple[float, float] | None, dict[str, Bounds], list[Finding]]:
-    """Return the gain that the drive command shows, with its deviation; figures of the drive; and findings.
-
-    Notes
-    -----
-    The command is explained by the motion, u = (v' + v/T + f sign v) T/k + o, all averaged over a triangle of twice `SPAN`, the motion up
-    to `LATEST` later.
-    """
-    s, period = max(round(SPAN / record.period), 2), record.period
-    triangle = np.convolve(np.ones(s), np.ones(s)) / s**2
-    command = np.convolve(record.driven(), triangle, "valid")
-    place_of, fits = np.convolve(record.position, triangle, "valid"), []
-    speed = np.gradient(place_of, period)
-    way = np.where(np.abs(speed) > 0.01 * np.abs(speed).max(), np.sign(speed), 0.0)
-    rows = np.column_stack([np.gradient(speed, period), speed, way, np.ones(speed.size)])
-    for late in range(max(round(LATEST / period), 1)):
-        target = command[: command.size - late]
-        solution, covariance, (rest,) = fit_records([rows[late:]], [target])
-        fits.append((1.0 - float(np.var(rest)) / max(float(np.var(target)), 1e-300), solution, covariance.deviations))
-    explained, (inertia, damping, rub, _), spread = max(fits, key=lambda fit: fit[0])
+def _drive(record: AxisRecord, place: str) -> tuple[Known | None, dict[str, Bounds], list[Finding]]:
+    """Return what the drive command shows of the position controller; figures of the drive; and findings."""
+    explained, (inertia, damping, rub, _), spread = explained_by_motion([(record.driven(), record.position)], record.period)
     if not explained > EXPLAINED or not max(inertia, damping) > 0.0:
         return None, {}, [finding("CL943", place, explained=explained)]
     if not damping > QUICK * inertia:
         figures = {"mass" if record.unit == "N" else "inertia": _within(inertia, spread[0])}
         return None, figures | {"coulomb": _within(rub, spread[2])}, [finding("CL945", place)]
-    figures = {"drive_gain": _within(1.0 / damping, spread[1] / damping**2)}
-    gain, deviation, left = _law(record)
-    if left > LAW or not gain > 0.0:
-        return None, figures, [finding("CL944", place, left=left)]
-    known = gain / damping, gain / damping * math.hypot(deviation / gain, spread[1] / damping, CLOCK)
-    return known, figures | {"Kv": _within(*known)}, [finding("CL946", place, left=left)]
+    figures = {"drive_gain": _within(1.0 / damping, math.hypot(spread[1] / damping, CLOCK) / damping)}
+    law, more = (_law(record, integral=integral) for integral in (False, True))
+    law = more if more.left <= LAW and more.reset > SURE * more.unsure else law
+    if law.left > LAW or not law.gain > 0.0:
+        return None, figures, [finding("CL944", place, left=law.left)]
+    known = Known(law.gain / damping, law.gain / damping * math.hypot(law.deviation / law.gain, spread[1] / damping, CLOCK), law.reset)
+    if not SURE * known.deviation < DETERMINED["Kv"] * known.gain:
+        return None, figures, []
+    figures |= {"Kv": _within(known.gain, known.deviation)} | ({"reset": _within(law.reset, law.unsure)} if law.reset else {})
+    return known, figures, [finding("CL946", place, left=law.left)]
 
 
 def _within(value: float, deviation: float) -> Bounds:
     return Bounds(value, value - SURE * deviation, value + SURE * deviation)
 
 
-def _law(record: AxisRecord) -> tuple[float, float, float]:
-    """Return command per following error, its deviation, and the share of the command that the law leaves.
+class _Law(NamedTuple):
+    """Command per following error, integral gain over gain [1/s], and their deviations.
+
+    `left` is the share of the command that the law leaves, of what it leaves without the following error.
+    """
+
+    gain: float
+    deviation: float
+    reset: float
+    unsure: float
+    left: float
+
+
+def _law(record: AxisRecord, *, integral: bool) -> _Law:
+    """Return the law of the position controller.
 
     The law has the derivatives of the reference up to its acceleration: a reference that the position controller sees late has them all.
-    What the next derivative would change counts as a deviation.
+    All is averaged over a triangle of twice `SPAN`, which leaves the law as it is. What the next derivative would change counts as a
+    deviation, and so does what is left: as much of that may look like the following error.
     """
-    asked, command = record.asked(), record.driven()
-    columns = [np.ones(asked.size), asked - record.position, asked]
+    asked, command, ahead = record.asked(), record.driven(), list[Array]()
+    error = asked - record.position
     for _ in range(3):
-        columns.append(np.gradient(columns[-1], record.period))
-    del columns[2]
-    fits = [fit_records([np.column_stack(columns[:n])], [command]) for n in (4, 5)]
-    (solution, covariance, (rest,)), (other, *_) = fits
-    return (
-        float(solution[1]),
-        math.hypot(float(covariance.deviations[1]), float(other[1] - solution[1])),
-        float(np.std(rest)) / max(float(np.std(command)), 1e-300),
-    )
+        ahead.append(np.gradient(ahead[-1] if ahead else asked, record.period))
+    columns = [error, *([(np.cumsum(error) - 0.5 * error) * record.period, asked] if integral else []), np.ones(asked.size), *ahead]
+    mean = np.ones(max(round(SPAN / record.period), 1))
+    mean = np.convolve(mean, mean) / mean.size**2
+    rows, target = np.column_stack([np.convolve(column, mean, "valid") for column in columns]), np.convolve(command, mean, "valid")
+    parts = rows[:, :-1], rows, rows[:, (2 if integral else 1) : -1]
+    (x, covariance, (rest,)), (other, *_), (*_, (without,)) = (fit_records([part], [target]) for part in parts)
+    left = float(np.std(rest)) / max(float(np.std(without)), 1e-300)
+    reset = float(x[1] / x[0]) if integral else 0.0
+    unsure = np.hypot(np.hypot(covariance.deviations, other[:-1] - x) / np.abs(x), left)
+    unsure[0] = math.hypot(unsure[0], TICK * record.period * reset)  # when the control adds up its errors is unknown
+    return _Law(float(x[0]), float(unsure[0] * abs(x[0])), reset, abs(reset) * math.hypot(*unsure[:2]), left)
 
 
 # --- what is printed ----------------------------------------------------------------------------------------------------------------
@@ -240,7 +248,8 @@ def _tables(axes: Mapping[str, LoggedAxis], control: str) -> tuple[Table, ...]:
             if key in one.figures:
                 x, factor = one.figures[key], FACTORS[shown]
                 seen.append((name, words, *_cells(Bounds(factor * x.value, factor * x.low, factor * x.high)), shown))
-        terms += [(name, term.name, *_cells(term.value), number(term.proposed), term.unit) for term in one.terms]
+        known = (term for term in one.terms if math.isfinite(term.value.value) or math.isfinite(term.proposed))
+        terms += [(name, term.name, *_cells(term.value), number(term.proposed), term.unit) for term in known]
     return (
         Table([axis, Column("", left=True), Column("value"), interval, unit], "What the log shows", rows=seen),
         Table(

@@ -17,11 +17,10 @@ class LinuxCNC(Seeded, Margins, LogWindow):
     log: tuple[Path, ...] = option((), "Log of a run with the present gains; repeatable. Without: what to run.", objects="Log")
     program: Path | None = option(None, "Part program to tune and predict for; by default what the logs ran.")
     drive: str = option("", "What the drives take, torque or velocity; by default as found.", choices=("", "torque", "velocity"))
-    for_: str = option("", "Control in whose terms to give the gains too.", choices=("", "generic", "sinumerik", "twincat"))
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        for name in ("for_", "program", "drive"):
+        for name in ("program", "drive"):
             if getattr(self, name) and not self.log:
                 raise ParameterError(self.PARTS[name].typed, str(getattr(self, name)), "given with --log")
 
@@ -41,6 +40,7 @@ class OfLog(LogColumns):
 
     axis: str | None = option(None, 'Axes, e.g. "x,y"; by default all that move.')
     for_: str = option("generic", "Control whose terms to use.", choices=("generic", "sinumerik", "twincat", "cia402"))
+    proportional: bool = option(False, "The position controller has no integral; by default both are tried.")
     gain: str | None = option(None, 'Force per drive command, e.g. "35 N/V", if it is a torque.')
     lead: str | None = option(None, 'Travel per turn, e.g. "10 mm": converts torques to forces.', unit="m")
 

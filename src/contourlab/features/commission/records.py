@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from contourlab.analysis.identification.least_squares import fit_records
 from contourlab.arrays import Array, Flags, true_spans
 from contourlab.controls.linuxcnc.loops import LoopClass
 from contourlab.errors import LogError
@@ -268,35 +269,40 @@ def decided(records: Sequence[tuple[Array, Array]], period: float, unit: float, 
 
     Notes
     -----
-    The output is explained by the motion, u = (v' + d v + f sign v)/g + o, both averaged over a triangle of twice `SPAN`. A velocity
-    drive with one lag T has d = 1/T and no more than that: it differs from a torque by how soon its velocity settles, and by an output
-    in machine units per second.
+    The output is explained by the motion, u = (v' + d v + f sign v)/g + o. A velocity drive with one lag T has d = 1/T and no more than
+    that: it differs from a torque by how soon its velocity settles, and by an output in machine units per second.
     """
-    s = max(round(SPAN / period), 2)
-    records = [(output, measured) for output, measured in records if measured.size > 20 * s]
-    fits = [_explained(records, s, period, late) for late in range(max(round(LATEST / period), 1))] if records else []
-    explained, (inertia, damping, *_) = max(fits, key=lambda fit: fit[0], default=(0.0, (0.0, 0.0)))
+    explained, (inertia, damping, *_), _ = explained_by_motion(records, period)
     if not explained > EXPLAINED or not max(inertia, damping) > 0.0:
         return None
     rate = damping / inertia if inertia > 0.0 else np.inf
     as_speed = 0.8 * unit < 1.0 / max(damping, 1e-30) < 1.25 * unit
     if rate > QUICK or (rate > SLOW and (given == "velocity drive" or (as_speed and given != "servo"))):
-        return LoopClass("velocity drive", "in the log its velocity follows the output")
+        also = "" if rate > QUICK else "; a torque fits the log as well, with nearly the same gains"
+        return LoopClass("velocity drive", f"in the log its velocity follows the output{also}")
     slowing = figure(max(rate, 0.0), "1/s")
     return LoopClass("servo", f"in the log the output accelerates it; left alone its velocity decays with {slowing}")
 
 
-def _explained(records: Sequence[tuple[Array, Array]], s: int, period: float, late: int) -> tuple[float, Array]:
-    """Return the part of the output that the motion explains a delay later, and output per acceleration and per velocity."""
-    rows, targets = list[Array](), list[Array]()
-    for output, measured in records:
-        ends = np.array([measured[2 * s :], measured[s:-s], measured[: -2 * s]])[:, late:]
-        place, held = np.cumsum(measured) - 0.5 * measured, np.cumsum(output) - 0.5 * output
-        force = np.cumsum(held) - held  # the output is held from each sample to the next
-        speed = (place[2 * s :] - 2.0 * place[s:-s] + place[: -2 * s])[late:] / (s * s * period)
-        acceleration = (ends[0] - 2.0 * ends[1] + ends[2]) / (s * period) ** 2
-        targets.append(((force[2 * s :] - 2.0 * force[s:-s] + force[: -2 * s]) / (s * s))[: acceleration.size])
-        rows.append(np.column_stack([acceleration, speed, np.sign(ends[0] - ends[2]), np.ones(speed.size)]))
-    left, right = np.concatenate(rows), np.concatenate(targets)
-    numbers = np.asarray(np.linalg.lstsq(left, right, rcond=None)[0], dtype=float)
-    return 1.0 - float(np.var(left @ numbers - right)) / max(float(np.var(right)), 1e-30), numbers
+def explained_by_motion(records: Sequence[tuple[Array, Array]], period: float) -> tuple[float, Array, Array]:
+    """Return the part of outputs that the motion explains; output per acceleration, per velocity, against friction and offset; deviations.
+
+    Output and motion are averaged over a triangle of twice `SPAN`, the motion up to `LATEST` later.
+    """
+    s = max(round(SPAN / period), 2)
+    records = [(output, measured) for output, measured in records if measured.size > 20 * s]
+    best = 0.0, np.zeros(4), np.zeros(4)
+    for late in range(max(round(LATEST / period), 1) if records else 0):
+        rows, targets = list[Array](), list[Array]()
+        for output, measured in records:
+            ends = np.array([measured[2 * s :], measured[s:-s], measured[: -2 * s]])[:, late:]
+            place, held = np.cumsum(measured) - 0.5 * measured, np.cumsum(output) - 0.5 * output
+            force = np.cumsum(held) - held  # the output is held from each sample to the next
+            speed = (place[2 * s :] - 2.0 * place[s:-s] + place[: -2 * s])[late:] / (s * s * period)
+            acceleration = (ends[0] - 2.0 * ends[1] + ends[2]) / (s * period) ** 2
+            targets.append(((force[2 * s :] - 2.0 * force[s:-s] + force[: -2 * s]) / (s * s))[: acceleration.size])
+            rows.append(np.column_stack([acceleration, speed, np.sign(ends[0] - ends[2]), np.ones(speed.size)]))
+        numbers, covariance, rest = fit_records(rows, targets)
+        share = 1.0 - float(np.var(np.concatenate(rest))) / max(float(np.var(np.concatenate(targets))), 1e-300)
+        best = max(best, (share, numbers, covariance.deviations), key=lambda fit: fit[0])
+    return best

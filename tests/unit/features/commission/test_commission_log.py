@@ -100,20 +100,48 @@ def test_a_torque_command_shows_the_mass(tmp_path: Path) -> None:
     assert answer.axes["x"].figures["mass"].value == pytest.approx(40.0, rel=0.03)
 
 
-@pytest.mark.slow
-def test_an_integral_is_not_taken_for_feedforward(tmp_path: Path) -> None:
-    """From positions the gain is six times too low and feedforward full: a finding warns. With the drive command there is no gain."""
-    reference, place, speed, drift = moves(), 0.0, 0.0, 0.0
+def with_integral(reference: np.ndarray, weight: float, ticks: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return position and set velocity under a gain of 30 1/s with an integral of 5 1/s, some ticks late, before a lag of 3 ms."""
+    place, speed, drift, waiting = 0.0, 0.0, 0.0, [0.0] * ticks
     position, asked = np.zeros(reference.size), np.zeros(reference.size)
+    ahead = np.append(np.diff(reference), 0.0) / PERIOD
     for k, wanted in enumerate(reference):
         position[k] = place
         drift += 150.0 * (wanted - place) * PERIOD
-        asked[k] = 30.0 * (wanted - place) + drift
-        later = asked[k] + (speed - asked[k]) * np.exp(-PERIOD / 3e-3)
-        place += PERIOD * asked[k] + 3e-3 * (speed - later)
+        asked[k] = 30.0 * (wanted - place) + drift + weight * ahead[k]
+        waiting.append(asked[k])
+        drive = waiting.pop(0)
+        later = drive + (speed - drive) * np.exp(-PERIOD / 3e-3)
+        place += PERIOD * drive + 3e-3 * (speed - later)
         speed = later
+    return position, asked
+
+
+@pytest.mark.slow
+def test_an_integral_is_not_taken_for_feedforward(tmp_path: Path) -> None:
+    """From positions a gain six times too low explains the log as well: none is given. The drive command tells gain and integral."""
+    position, asked = with_integral(reference := moves(), 0.0, 0)
     log = written(tmp_path / "log.csv", reference, position, 1e3 * asked, heads=",speed [V]")
-    assert "CL947" in {finding.code for finding in cl.commission.log(log).findings}
+    answer = cl.commission.log(log)
+    assert "CL947" in {finding.code for finding in answer.findings}
+    assert not answer.passed and not {"shown", "velocity_feedforward"} & set(answer.axes["x"].figures)
+    x = cl.commission.log(log, column="command.x=speed [V]").axes["x"].figures
+    for name, true in {"Kv": 30.0, "reset": 5.0, "velocity_feedforward": 0.0, "equivalent_time": 3.5e-3}.items():
+        assert x[name].low < true < x[name].high
+
+
+@pytest.mark.slow
+def test_an_integral_behind_a_dead_time_shows_in_the_positions(tmp_path: Path) -> None:
+    position, _ = with_integral(reference := moves(), 0.4, 3)
+    x = cl.commission.log(written(tmp_path / "log.csv", reference, position)).axes["x"].figures
+    for name, true in {"Kv": 30.0, "reset": 5.0, "velocity_feedforward": 0.4, "equivalent_time": 6.5e-3}.items():
+        assert x[name].low < true < x[name].high
+
+
+@pytest.mark.slow
+def test_a_command_of_no_linear_law_gives_no_gain(tmp_path: Path) -> None:
+    position, asked = cascade(reference := moves())
+    log = written(tmp_path / "log.csv", reference, position, np.sign(asked) * np.abs(asked) ** 0.7, heads=",speed [V]")
     answer = cl.commission.log(log, column="command.x=speed [V]")
     assert "CL944" in {finding.code for finding in answer.findings}
     assert not answer.passed and not {"Kv", "velocity_feedforward"} & set(answer.axes["x"].figures)
@@ -135,7 +163,8 @@ def test_a_control_of_2_ms_with_a_late_feedforward(tmp_path: Path) -> None:
             speed = later
     table = np.column_stack([tick * np.arange(reference.size), 1e3 * reference, 1e3 * np.round(position, 7)])
     np.savetxt(tmp_path / "log.csv", table, delimiter=",", header="time [s],x cmd [mm],x pos [mm]", comments="", fmt="%.9g")
-    x = cl.commission.log(tmp_path / "log.csv").axes["x"].figures
+    assert "CL947" in {finding.code for finding in cl.commission.log(tmp_path / "log.csv").findings}
+    x = cl.commission.log(tmp_path / "log.csv", proportional=True).axes["x"].figures
     for name, true in {"Kv": 40.0, "velocity_feedforward": 0.9, "equivalent_time": 0.010}.items():
         assert name not in x or x[name].low < true < x[name].high
     assert {"Kv", "equivalent_time"} & set(x)
