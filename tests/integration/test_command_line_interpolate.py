@@ -53,7 +53,8 @@ def test_constants_errors_and_counts(contourlab: Run, record: Path, tmp_path: Pa
     assert errors["before"]["orders"][0] == pytest.approx(math.hypot(*OFFSETS) / 0.5 * PITCH / TURN, rel=0.1)
     assert errors["before"]["peak"] > 300e-9
     assert errors["after"]["peak"] < 0.2 * 25e-9
-    assert json.loads((tmp_path / "found" / "interpolation.json").read_text(encoding="utf-8")) == found
+    written = json.loads((tmp_path / "found" / "interpolation.json").read_text(encoding="utf-8"))
+    assert written == found
     table = np.loadtxt(tmp_path / "found" / "interpolated.csv", delimiter=",", skiprows=3)
     x = motion()
     exact = x / 25e-9

@@ -130,7 +130,7 @@ class Answer:
 
     def _cited(self) -> tuple[list[Any], set[str]]:
         """Return what it is about, and the words of the place of its class, the name of its question among them."""
-        return [*vars(self).get("_about", ()), *vars(self).values()], set(type(self).__module__.split("."))
+        return [*vars(self).get("_made_from", ()), *vars(self).values()], set(type(self).__module__.split("."))
 
     def stamp(self) -> str:
         """Return the line that its files hold: what made them."""
@@ -286,7 +286,7 @@ def _stamping(save: Callable[..., Any]) -> Callable[..., Any]:
 
         with stamped(self.stamp()):
             answer = save(self, *args, **kwargs)
-        vars(answer).update(_about=vars(self).get("_about", ()))
+        vars(answer).update(_made_from=vars(self).get("_made_from", ()))
         return answer
 
     return saved
@@ -298,7 +298,7 @@ def _asked(ask: Callable[..., AnswerT], *inputs: Any, **given: Any) -> AnswerT:
 
     with gathered() as told:
         answer = ask(*inputs, **given)
-    vars(answer)["_about"] = tuple(told)
+    vars(answer)["_made_from"] = tuple(told)
     return answer
 
 

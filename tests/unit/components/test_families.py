@@ -50,7 +50,7 @@ def six_numbers(par: Any, x: Any, inp: Any, clock: Any) -> Any:
 
 
 def two_vectors(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-    return (), (inp.reference, (0.0, 0.0))
+    return (), (inp.reference, (0.0, 0.0), 1.0)
 
 
 STEPS = {1: nothing, 2: two_numbers, 6: six_numbers}

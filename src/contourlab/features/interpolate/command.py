@@ -23,7 +23,7 @@ from contourlab.analysis.encoder import (
     subdivisional_error,
     track_ellipse,
 )
-from contourlab.app.json_values import HIDDEN, json_text
+from contourlab.app.json_values import HIDDEN, json_text, signed
 from contourlab.app.results import spared, write_together
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array
@@ -136,7 +136,7 @@ class Interpolated(Answer):
         if folder is None:
             return self
         saved = replace(self, files={key: str(Path(folder) / name) for key, name in FILES.items()})
-        contents: dict[str, str | bytes] = {"counts": _table(self), "picture": _picture(self), "summary": json_text(saved) + "\n"}
+        contents: dict[str, str | bytes] = {"counts": _table(self), "picture": _picture(self), "summary": signed(json_text(saved)) + "\n"}
         write_together({Path(saved.files[key]): content for key, content in contents.items()})
         return saved
 
