@@ -9,12 +9,12 @@ from pathlib import Path
 
 import numpy as np
 
-from contourlab.analysis.identification.least_squares import fit_records
+from contourlab.analysis.identification.least_squares import Bounds, fit_records
 from contourlab.analysis.identification.left_over import left_over_findings
 from contourlab.app.json_values import HIDDEN
 from contourlab.app.session import QUIET, Answer, Session, question
 from contourlab.errors import ParameterError
-from contourlab.features.commission.log_loop import CLOCK, SURE, Bounds, FittedLoop, fit_servo
+from contourlab.features.commission.log_loop import CLOCK, SURE, FittedLoop, fit_servo
 from contourlab.features.commission.log_terms import LogTerm, terms_of_log
 from contourlab.features.commission.options import OfLog
 from contourlab.features.commission.records import EXPLAINED, LATEST, QUICK, SPAN
