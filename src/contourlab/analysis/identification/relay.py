@@ -26,6 +26,8 @@ LEAST = 8
 """Fewest steady cycles."""
 STEADY = 0.3
 """Largest difference of the length and of the travel of a steady cycle from the median."""
+DRIFT = 0.03
+"""Largest change between the halves of the steady cycles, beside what their scatter explains."""
 COUNTS = 10.0
 """Least travel of a cycle [counts]."""
 FELT = 0.05
@@ -140,9 +142,10 @@ def relay_test(command: Array, position: Array, period: float) -> RelayTest:
     first, stop = max(true_spans(near), key=lambda span: span[1] - span[0], default=(0, 0))
     cycles, half = stop - first, (stop - first) // 2
     refuse(cycles < LEAST, ResultError, f"no steady oscillation: only {cycles} cycles in a row are alike, {LEAST} are needed")
-    growth = float(travels[stop - half : stop].mean() / travels[first : first + half].mean())
-    drift = 0.03 + 4.0 * float(np.std(travels[first:stop])) / math.sqrt(cycles) / float(travels[first:stop].mean())
-    refuse(abs(growth - 1.0) > drift, ResultError, f"no steady oscillation: its travel still changes by a factor of {growth:.3g}")
+    for x in (lengths[first:stop], travels[first:stop]):
+        growth = float(x[-half:].mean() / x[:half].mean())
+        drift = DRIFT + 4.0 * float(np.std(x)) / math.sqrt(cycles) / float(x.mean())
+        refuse(abs(growth - 1.0) > drift, ResultError, f"no steady oscillation: it still changes by a factor of {growth:.3g}")
     edges = starts[first : stop + 1]
     whole, travel = slice(edges[0], edges[-1]), float(travels[first:stop].mean())
     u, y = command[whole], position[whole]
