@@ -104,7 +104,7 @@ def rule_values(setting: Setting, space: Space, tests: Mapping[str, RelayTest]) 
             terms = _terms(part, test.gains(rule))
             used = {name for name in terms if getattr(part, name) not in (0.0, math.inf)}
             names = {f"controller.axes.{axis}.controller.{name}": value for name, value in terms.items() if value not in (0.0, math.inf)}
-            if used != {name.rpartition(".")[2] for name in names} or not names.keys() <= start.keys():
+            if not terms or used != {name.rpartition(".")[2] for name in names} or not names.keys() <= start.keys():
                 break
             values |= names
         else:
