@@ -37,8 +37,9 @@ def test_the_first_harmonic_is_right_where_the_describing_function_is_not() -> N
     truth = 0.5 * math.pi / (speed * late)
     assert test.travel == pytest.approx(2.0 * speed * late, rel=0.02)
     assert 4.0 / (math.pi * 0.5 * test.travel) == pytest.approx(8.0 / math.pi**2 * truth, rel=0.02)
-    assert test.gain.value == pytest.approx(truth, rel=0.01) and holds(test.gain, truth)
-    assert test.period.value == pytest.approx(4.0 * late, rel=0.01) and holds(test.period, 4.0 * late)
+    assert test.gain.value == pytest.approx(truth, rel=0.03) and holds(test.gain, truth) and test.gain.half < 0.1 * truth
+    assert test.period.value == pytest.approx(4.0 * late, rel=0.03) and holds(test.period, 4.0 * late)
+    assert math.isnan(test.friction)
 
 
 def test_hysteresis_is_corrected() -> None:
@@ -53,7 +54,7 @@ def test_hysteresis_is_corrected() -> None:
 
 @pytest.mark.slow
 def test_intervals_hold_under_counts_noise_friction_and_loads() -> None:
-    """Of random axes at least nine in ten lie within the intervals of 95 % (60 cases; 193 of 198 in a larger draw)."""
+    """Of random axes at least nine in ten lie within the intervals of 95 % (60 cases; 197 of 198 in a larger draw)."""
     rng, inside, cases = np.random.default_rng(1), np.zeros(2, dtype=int), 0
     for seed in range(60):
         period = min(T, dead := 10.0 ** rng.uniform(-3.3, -2.0))
@@ -105,6 +106,7 @@ GROWING = np.exp(N / 400.0) * np.sin(N / 10.0)
         (np.ones(4000), np.sin(N / 10.0), "0 cycles"),
         (np.sign(np.sin(N / 100.0 + 0.01)), np.sin(N / 100.0), "are needed"),
         (np.sign(np.sin(N / 10.0 + 0.01)), GROWING, "no steady oscillation"),
+        (np.sign(np.sin(N + 0.01)), np.sin(N), "samples"),
         (np.sin(N / 10.0), np.cos(N / 10.0), "more than two levels"),
         (np.sign(np.sin(N / 10.0 + 0.01)), np.round(3.0 * np.sin(N / 10.0)), "counts"),
         (np.sign(np.sin(N**1.5 / 1000.0 + 0.01)), np.sin(N**1.5 / 1000.0), "no steady oscillation"),
