@@ -285,5 +285,7 @@ def test_no_relay_experiment(options: list[str], tmp_path: Path, capsys: pytest.
     assert capsys.readouterr().err.count("\n") == 1
 
 
-def test_a_run_of_the_control_is_no_relay_experiment(made: bench.Made, tmp_path: Path) -> None:
-    assert main(["commission", "relay", str(made.log(tmp_path / "log.csv")), "--axis", "x", "--column", "command.x=x_out []"]) == 2
+def test_a_run_of_the_control_is_no_relay_experiment(made: bench.Made, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["commission", "relay", str(made.log(tmp_path / "log.csv")), "--axis", "x"]
+    assert main([*words, "--column", "command.x=x_out [V]", "--column", "position.x=x [mm]"]) == 2
+    assert "no steady oscillation" in capsys.readouterr().err

@@ -196,11 +196,9 @@ def _within(value: float, half: float, without: float) -> Bounds:
 
 
 def _harmonics(values: Array, cycles: int) -> Complex:
-    """Return the first and third harmonic (2,) of whole cycles, without the ramp between their ends."""
-    n = np.arange(values.size)
-    level = values - values.mean()
-    turns = np.exp(-2j * math.pi * cycles / values.size * np.outer((1.0, 3.0), n))
-    return np.asarray(turns @ level * (2.0 / values.size))
+    """Return the first and third harmonic (2,) of whole cycles."""
+    turns = np.exp(-2j * math.pi * cycles / values.size * np.outer((1.0, 3.0), np.arange(values.size)))
+    return np.asarray(turns @ (values - values.mean()) * (2.0 / values.size))
 
 
 def _friction(command: Array, position: Array, period: float) -> tuple[float, float, float]:

@@ -10,9 +10,11 @@ import numpy as np
 
 from contourlab.analysis.identification.relay import PID, RULES, RelayTest, relay_findings, relay_test
 from contourlab.app.session import QUIET, Answer, Session, question
-from contourlab.errors import ResultError, refuse
+from contourlab.errors import ResultError
 from contourlab.features.commission.options import OfRelay
-from contourlab.features.measure.log_choice import open_log
+from contourlab.features.identify.command import axes_of
+from contourlab.features.identify.options import Identify
+from contourlab.features.identify.records import Request
 from contourlab.figures import number
 from contourlab.findings import Finding
 from contourlab.logs.load import Log, about
@@ -73,26 +75,19 @@ def relay(log: str | Path | Log, *, settings: OfRelay, session: Session = QUIET)
     ParameterError
         If an option is out of range.
     """
+    given = {name: getattr(settings, name) for name in Identify.PARTS if name in OfRelay.PARTS}
+    tests, units, findings = dict[str, RelayTest](), dict[str, str](), dict[str, Finding]()
     with about(log, options=list(OfRelay.PARTS)):
-        opened = open_log(log, settings.of_log(0, 1))
-        signals = {axis: (opened.signal(axis, "command"), opened.signal(axis, "position")) for axis in opened.result.axes}
-        wanted = (
-            settings.axis.replace(" ", "").split(",")
-            if settings.axis
-            else [a for a, (u, _) in signals.items() if u is not None and np.ptp(u)]
-        )
-        tests, units = dict[str, RelayTest](), dict[str, str]()
-        refuse(not wanted, ResultError, "no command that changes: give --column 'command.x=NAME [V]'")
-        for axis in wanted:
-            command, position = signals.get(axis, (None, None))
-            if command is None or position is None:
-                raise ResultError(
-                    f"no command and position of {axis}: give --column 'command.{axis}=NAME [V]' and 'position.{axis}=NAME [mm]'"
-                )
+        opened = Request(Identify(**given), (log,)).log(0)
+        driven = [axis for axis in opened.result.axes if (command := opened.signal(axis, "command")) is not None and np.ptp(command) > 0.0]
+        for axis in axes_of(opened, settings.axis or ",".join(driven) or None):
+            request = Request(Identify(**given | {"axis": axis}), (opened,))
+            (record,) = request.records(pieces=False)
             try:
-                tests[axis] = relay_test(command, position, opened.result.servo_period)
+                tests[axis] = relay_test(record.driven(), record.position, record.period)
             except ResultError as error:
                 raise ResultError(f"axis {axis}: {error}") from error
-            units[axis] = opened.result.signals["command"].unit
+            units[axis] = record.unit
+            findings |= {str(doubt): doubt for doubt in request.findings()}
     gains = {axis: {rule: test.gains(rule) for rule in RULES} for axis, test in tests.items()}
-    return RelayCommissioned(tests, gains, units, (*relay_findings(tests), *opened.findings))
+    return RelayCommissioned(tests, gains, units, (*relay_findings(tests), *findings.values()))

@@ -150,7 +150,7 @@ class Calibration(Answer):
         if self.controller_file is not None:
             given = replace(asked.settings, controller=str(self.controller_file), set=of_machine(asked.settings.set, self.case))
             return ["run", *asked.inputs, *given.words_of(Motion)]
-        return None if self.result.interrupted else asked.again("--start", "placed")
+        return None if self.result.interrupted or self.result.relay else asked.again("--start", "placed")
 
 
 @question(Tune)

@@ -201,7 +201,8 @@ def _tuned(setting: Setting, settings: TuneSettings, pool: Workers | None, begin
         begin("relay experiment")
         tests, path, global_result = relay_tests(runner.setting), SearchPath(dict(values)), None
         candidates = list[Candidate]()
-        for rule, one in rule_values(runner.setting, space, tests).items():
+        for rule, exact in rule_values(runner.setting, space, tests).items():
+            one = {variable.name: float(variable.written(exact[variable.name])) for variable in space.numbers}
             candidates.append((float(problem.objective.at(one).value[0]), rule, one))
             rules[rule] = evaluate(replace(setting, controller=with_values(machine, start, one)[1]), settings.bounds)
     else:
