@@ -50,13 +50,17 @@ def test_the_ultimate_point_is_that_of_the_margins(delay: float) -> None:
         assert test.period.low <= 2.0 * np.pi / exact.phase_crossover <= test.period.high
 
 
-def test_the_command_is_that_before_the_estimate_of_an_observer() -> None:
-    """A rule's gains act there too. The drive gets both: no two levels."""
+def test_behind_an_observer_the_ultimate_gain_is_that_of_both() -> None:
+    """The command counts before the observer's estimate, as a rule's gains do: P control there is stable up to the ultimate gain."""
     made = setting()
     observer = DisturbanceObserver(bandwidth=30.0, filter_bandwidth=1000.0, model_gain=1.2, model_damping=20.0)
     axes = {name: replace(slots, observer=observer) for name, slots in made.controller.axes.items()}
     test = relay_tests(replace(made, controller=replace(made.controller, axes=axes)))["x"]
-    assert test.level == pytest.approx(0.5, rel=1e-9) and test.cycles >= 30
+    assert test.level == pytest.approx(0.5, rel=1e-9) and test.gain.half < 0.25 * test.gain.value
+    low, high = test.gain.low, test.gain.high
+    for gain, stable in ((low, True), (high, False)):
+        law = PID(proportional_gain=gain)
+        assert sampled_loop(made.machine.axes[0], replace(axes["x"], controller=law), PERIOD).margins().stable == stable
 
 
 @pytest.mark.parametrize("kind", [None, *LAWS])
