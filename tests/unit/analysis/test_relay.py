@@ -54,7 +54,7 @@ def test_hysteresis_is_corrected() -> None:
 
 @pytest.mark.slow
 def test_intervals_hold_under_counts_noise_friction_and_loads() -> None:
-    """Of random axes at least nine in ten lie within the intervals of 95 % (60 cases; 197 of 198 in a larger draw)."""
+    """Of 60 random axes at least nine in ten lie within the intervals of 95 %; of 589 it was 576 (gain) and 582 (period)."""
     rng, inside, cases = np.random.default_rng(1), np.zeros(2, dtype=int), 0
     for seed in range(60):
         period = min(T, dead := 10.0 ** rng.uniform(-3.3, -2.0))
@@ -107,6 +107,7 @@ GROWING = np.exp(N / 400.0) * np.sin(N / 10.0)
         (np.sign(np.sin(N / 100.0 + 0.01)), np.sin(N / 100.0), "are needed"),
         (np.sign(np.sin(N / 10.0 + 0.01)), GROWING, "no steady oscillation"),
         (np.sign(np.sin(N + 0.01)), np.sin(N), "samples"),
+        (np.sign(np.sin(N / 10.0 + 0.01)), np.sin(N / 10.0), "the other way"),
         (np.sin(N / 10.0), np.cos(N / 10.0), "more than two levels"),
         (np.sign(np.sin(N / 10.0 + 0.01)), np.round(3.0 * np.sin(N / 10.0)), "counts"),
         (np.sign(np.sin(N**1.5 / 1000.0 + 0.01)), np.sin(N**1.5 / 1000.0), "no steady oscillation"),
