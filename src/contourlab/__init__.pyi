@@ -30,6 +30,7 @@ from contourlab.features.check.program_check import Checked as Checked
 from contourlab.features.circle.command import CircleTest as CircleTest
 from contourlab.features.commission.command import Commissioned as Commissioned
 from contourlab.features.commission.log_command import LogCommissioned as LogCommissioned
+from contourlab.features.commission.relay_command import RelayCommissioned as RelayCommissioned
 from contourlab.features.export.command import Exported as Exported
 from contourlab.features.identify.result import Identification as Identification
 from contourlab.features.interpolate.command import Interpolated as Interpolated
@@ -234,6 +235,7 @@ def circle(*logs: str | File | Log, tolerance: str | None = ..., radius: str | N
 class _Commission:
     def __call__(self, ini: str | File, hal: str | File, *, log: str | File | Log | Sequence[str | File | Log] = ..., program: str | File | None = ..., drive: str = ..., seed: int = ..., gain_margin: float = ..., phase_margin: float = ..., window: str | Sequence[str] = ...) -> Commissioned: ...
     def log(self, log: str | File | Log, *, axis: str | None = ..., for_: str = ..., proportional: bool = ..., gain: str | None = ..., lead: str | None = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ..., unit: str | None = ..., window: str | Sequence[str] = ...) -> LogCommissioned: ...
+    def relay(self, log: str | File | Log, *, axis: str | None = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ..., unit: str | None = ..., window: str | Sequence[str] = ...) -> RelayCommissioned: ...
 
 commission: _Commission
 

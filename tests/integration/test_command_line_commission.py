@@ -8,6 +8,7 @@ import made_commission as bench
 import numpy as np
 import pytest
 from reference_data import reference_file
+from relay_rig import relay_run, ultimate
 
 from contourlab.analysis.identification.descent import DescentSettings
 from contourlab.cli.main import main
@@ -248,3 +249,35 @@ def test_no_diff_while_an_axis_has_no_answer(
     assert {"CL864"} == codes(result, "x") and "CL890" in codes(result, "y")
     assert [one["code"] for one in result["findings"] if one["code"] == "CL867"] == ["CL867"]
     assert not {"gains.diff", "safe.diff"} & {file.name for file in out.iterdir()}
+
+
+def relay_log(file: Path, level: float = 5.0) -> Path:
+    """Write the log of a relay experiment."""
+    command, position = relay_run(2000, 1e-3, 1.8, 50.0, 3e-3, level, hysteresis=2e-6, count=1e-6, friction=0.1)
+    rows = zip(1e-3 * np.arange(2000), command, 1e3 * position, strict=True)
+    lines = (f"{time:.3f},{u:g},{p:.3f}" for time, u, p in rows)
+    file.write_text("\n".join(["time [s],command.x [V],position.x [mm]", *lines]))
+    return file
+
+
+def test_the_log_of_a_relay_experiment(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["commission", "relay", str(relay_log(tmp_path / "relay.csv")), "--json"]) == 0
+    answer = json.loads(capsys.readouterr().out)
+    test, truth = answer["axes"]["x"], ultimate(1.8, 50.0, 3e-3, 1e-3)
+    for key, true in zip(("gain", "period"), truth, strict=True):
+        assert test[key]["low"] <= true <= test[key]["high"]
+    assert answer["units"] == {"x": "V"} and answer["gains"]["x"]["Ziegler-Nichols P"]["proportional"] == 0.5 * test["gain"]["value"]
+    assert main(["commission", "relay", str(tmp_path / "relay.csv")]) == 0
+    assert "Tyreus-Luyben PID" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("options", [["--axis", "q"], ["--window", "0..299"]])
+def test_no_relay_experiment(options: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["commission", "relay", str(relay_log(tmp_path / "relay.csv")), *options]) == 2
+    assert capsys.readouterr().err.count("\n") == 1
+
+
+def test_a_run_of_the_control_is_no_relay_experiment(made: bench.Made, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["commission", "relay", str(made.log(tmp_path / "log.csv")), "--axis", "x"]
+    assert main([*words, "--column", "command.x=x_out [V]", "--column", "position.x=x [mm]"]) == 2
+    assert "no steady oscillation" in capsys.readouterr().err

@@ -286,3 +286,12 @@ def test_placing_is_refused_for_kinds_without_placement(tmp_path: Path, capsys: 
     assert main(["tune", str(written(tmp_path, "pid")), "--start", "placed"]) == 2
     said = capsys.readouterr().err
     assert "pid" in said and "axis x" in said and said.count("\n") == 1
+
+
+def test_a_relay_experiment(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file, out = written(tmp_path), tmp_path / "tuned.toml"
+    assert main(["tune", str(file), "--method", "relay", "--write", str(out), "--phase-margin", "20", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)["result"]
+    assert found["method"] in found["rules"] and set(found["relay"]) == {"x", "y"} and out.exists()
+    assert main(["tune", str(file), "--method", "relay", "--phase-margin", "20"]) == 0
+    assert "Relay experiment" in capsys.readouterr().out

@@ -34,6 +34,20 @@ UNTOLD = 1e5
 
 
 @dataclass(frozen=True)
+class Bounds:
+    """A value within an interval of 95 %."""
+
+    value: float
+    low: float
+    high: float
+
+    @property
+    def half(self) -> float:
+        """Half the width."""
+        return 0.5 * (self.high - self.low)
+
+
+@dataclass(frozen=True)
 class Free:
     """A parameter of a fit: start, bounds, and a typical size."""
 

@@ -26,6 +26,7 @@ from contourlab.features.commission.log_command import log as of_any_log
 from contourlab.features.commission.loop import GAINS, robustly_stable, run_lanes
 from contourlab.features.commission.options import LinuxCNC
 from contourlab.features.commission.records import AxisLog, decided, doubts, law_of, moving, read_log
+from contourlab.features.commission.relay_command import relay
 from contourlab.features.commission.setup import AxisSetup, Setup, read_setup, row_of
 from contourlab.features.commission.tuning import AxisTask, Moves, TunedAxis, largest_error, shared_delay, tune_axis
 from contourlab.features.measure.log_choice import window_of
@@ -188,7 +189,7 @@ def commission(ini: str | Path, hal: str | Path, *, settings: LinuxCNC, session:
     return _answered(work, findings, inputs)
 
 
-for _member in (of_any_log,):
+for _member in (of_any_log, relay):
     setattr(commission, _member.__name__, _member)
 
 

@@ -10,13 +10,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from contourlab.analysis.identification.least_squares import fit_records
+from contourlab.analysis.identification.least_squares import Bounds, fit_records
 from contourlab.analysis.identification.left_over import left_over_findings
 from contourlab.app.json_values import HIDDEN
 from contourlab.app.session import QUIET, Answer, Session, question
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError
-from contourlab.features.commission.log_loop import CLOCK, SURE, TICK, Bounds, Known, fit_servo
+from contourlab.features.commission.log_loop import CLOCK, SURE, TICK, Known, fit_servo
 from contourlab.features.commission.log_terms import LogTerm, terms_of_log
 from contourlab.features.commission.options import OfLog
 from contourlab.features.commission.records import EXPLAINED, QUICK, SPAN, explained_by_motion

@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from contourlab.analysis.identification.least_squares import FADED, PARTS, Free, OutputFit, fit_output, memory, parted
+from contourlab.analysis.identification.least_squares import FADED, PARTS, Bounds, Free, OutputFit, fit_output, memory, parted
 from contourlab.arrays import Array
 from contourlab.features.commission.identification import LEAST
 from contourlab.features.identify.position_loop import counting, reverses, run_in
@@ -142,20 +142,6 @@ class _Loop:
 def delay_of(x: Mapping[str, Any]) -> Any:
     """Return the delay [s] before the loop."""
     return x["following_time"] - (1.0 - x["velocity_feedforward"]) / x["Kv"]
-
-
-@dataclass(frozen=True)
-class Bounds:
-    """A value within an interval of 95 %."""
-
-    value: float
-    low: float
-    high: float
-
-    @property
-    def half(self) -> float:
-        """Half the width."""
-        return 0.5 * (self.high - self.low)
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from math import inf, nan
 
-from contourlab.features.commission.log_loop import Bounds
+from contourlab.analysis.identification.least_squares import Bounds
 
 TIME = "equivalent_time"
 UNKNOWN = Bounds(nan, -inf, inf)

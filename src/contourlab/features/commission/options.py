@@ -46,10 +46,17 @@ class OfLog(LogColumns):
 
 
 @options
+class OfRelay(LogColumns):
+    """Find ultimate gain and period of each axis from a log of a relay experiment, and gains by rules."""
+
+    axis: str | None = option(None, 'Axes, e.g. "x,y"; by default all whose command changes.')
+
+
+@options
 class LogFiles(Shown):
     """The argument."""
 
-    log: Path = argument("LOG", "Log of a run: commanded and actual position, perhaps the drive command.")
+    log: Path = argument("LOG", "Log of a run, with the signals that the command names.")
 
 
 COMMANDS = {
@@ -58,6 +65,7 @@ COMMANDS = {
         {
             "linuxcnc": Command("contourlab.features.commission.command:commission", LinuxCNC, Files),
             "log": Command("contourlab.features.commission.log_command:log", OfLog, LogFiles),
+            "relay": Command("contourlab.features.commission.relay_command:relay", OfRelay, LogFiles),
         },
     )
 }

@@ -31,6 +31,7 @@ from contourlab.loop import Controller
 from contourlab.metrics.run_figures import FIGURES
 from contourlab.rendering.charts import Chart, Curve, Panel, traces_chart
 from contourlab.rendering.margin_words import decibel, degrees
+from contourlab.rendering.relay_table import relay_table
 from contourlab.rendering.style import scheme_style
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import write_text_atomic
@@ -150,7 +151,7 @@ class Calibration(Answer):
         if self.controller_file is not None:
             given = replace(asked.settings, controller=str(self.controller_file), set=of_machine(asked.settings.set, self.case))
             return ["run", *asked.inputs, *given.words_of(Motion)]
-        return None if self.result.interrupted else asked.again("--start", "placed")
+        return None if self.result.interrupted or self.result.relay else asked.again("--start", "placed")
 
 
 @question(Tune)
@@ -189,8 +190,8 @@ def _work(case: Case, settings: TuneSettings) -> list[tuple[str, float]]:
     """Return first word and work of each stage of a calibration, in runs; see `contourlab.rendering.stages.Stages.expect`."""
     lines = len(Space.chosen(case.machine, case.controller, settings.parameter, settings.width).numbers)
     runs = settings.passes * lines * (1 + REFINEMENTS) * float(settings.line_rule(lines).lanes)
-    one = [] if settings.method == "global" else [("one", runs)]
-    every = [] if settings.method == "sequential" else [("all", float(settings.budget))]
+    one = [] if settings.method in ("global", "relay") else [("one", runs)]
+    every = [] if settings.method in ("sequential", "relay") else [("all", float(settings.budget))]
     return [("planning", 32.0), ("first", 32.0), ("placing", 32.0), ("restoring", 32.0), *one, *every, ("checking", 32.0)]
 
 
@@ -239,6 +240,8 @@ def tables(goal: Goal, tuned: Tuned) -> Iterator[str]:
         search = tuned.global_result.search
         per_start = listing([figure(value, goal.unit, 4) for value in search.per_start])
         yield paragraphs([f"Global search: best of each start {per_start}; {search.runs} runs. Method of the result: {tuned.method}."])
+    if tuned.rules:
+        yield from (table.text() for table in _relay(tuned))
     yield _figures(tuned).text()
     if tuned.after.margins:
         yield _margins(tuned).text()
@@ -257,6 +260,19 @@ def _steps(goal: Goal, tuned: Tuned) -> Table:
         rows.append((step.stage, variable.short, *values, variable.display_unit, *objectives, step.bound))
     columns = [Column(head, left=head in left) for head in heads]
     return Table([*columns, Column("limited by", prose=True)], keys=2, rows=rows)
+
+
+def _relay(tuned: Tuned) -> Iterator[Table]:
+    """Yield ultimate gain and period of each axis, and what each rule gives."""
+    units = {terms.axis: terms.command_unit for terms in tuned.drive_terms}
+    yield relay_table(tuned.relay, units)
+    rows = []
+    for rule, given in tuned.rules.items():
+        worst = min(given.margins.values(), key=lambda margins: (margins.stable, margins.modulus), default=None)
+        largest = figure(given.figures["part_error_max"], "um", 4)
+        rows.append((rule, largest, decibel(worst), degrees(worst), _modulus(worst), "no" if given.violations else "yes"))
+    heads = ("largest part error", "gain margin", "phase margin", "modulus margin", "keeps the bounds")
+    yield Table([Column("rule, worst axis", left=True), *map(Column, heads)], rows=rows)
 
 
 def _figures(tuned: Tuned) -> Table:

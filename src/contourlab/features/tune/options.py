@@ -12,7 +12,11 @@ class Tune(Workers, Seeded, Varied, Margins, Motion):
     """Tune gains, innermost loop first, within margins and drive limits; write a controller file."""
 
     scheme: str | None = option(None, "Scheme of the scenario; by default the scenario itself.")
-    method: str = option("both", "sequential, global, or both: the better result.", choices=("sequential", "global", "both"))
+    method: str = option(
+        "both",
+        "sequential, global, or both: the better result; relay: by rules, after a simulated relay experiment.",
+        choices=("sequential", "global", "both", "relay"),
+    )
     start: str = option("scenario", "scenario, or placed: poles as fast as the margins allow.", choices=("scenario", "placed"))
     objective: str = option(
         "part", "part (largest part error, then rms), max, rms, integral, tracking, energy; or a sum, integral=1,energy=0.1."

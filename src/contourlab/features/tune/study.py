@@ -10,11 +10,13 @@ from typing import ClassVar
 
 import numpy as np
 
+from contourlab.analysis.identification.relay import RelayTest, relay_findings
 from contourlab.app.json_values import HIDDEN
 from contourlab.errors import ParameterError, refuse
 from contourlab.features.tune.drive_terms import DriveTerms, drive_terms, linuxcnc_findings
 from contourlab.features.tune.objective import Evaluation, Goal, Problem, evaluate
 from contourlab.features.tune.options import Tune
+from contourlab.features.tune.relay import relay_tests, rule_values
 from contourlab.features.tune.search import (
     FRACTIONS,
     REFINEMENTS,
@@ -39,6 +41,8 @@ from contourlab.study.space import axes_of
 
 Candidate = tuple[float, str, Mapping[str, float]]
 """Objective, method, and values [SI]."""
+WIDEST = 1000.0
+"""Largest width of a range: a rule may set gains far from the start."""
 Begin = Callable[[str], None]
 """Called with the name of each stage."""
 
@@ -55,7 +59,7 @@ class TuneSettings(Tune):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        refuse(not 1.0 < self.width <= 1000.0, ParameterError, "width", f"{self.width:g}", "> 1 and <= 1000")
+        refuse(not 1.0 < self.width <= WIDEST, ParameterError, "width", f"{self.width:g}", "> 1 and <= 1000")
         refuse(not 0 <= self.seed < 2**63, ParameterError, "seed", f"{self.seed}", f"0 to {2**63 - 1}")
         refuse(not self.within < 1.0, ParameterError, "within", f"{self.within:g}", ">= 0 and < 1")
         _ = self.goal, self.bounds  # refuse what is wrong before any work
@@ -98,7 +102,8 @@ class Tuned:
     values : dict of str to float [SI]
         Their calibrated values.
     method : str
-        Method of the result: "sequential" or "global"; "none" if the given controller is better, or nothing found keeps the bounds.
+        Method of the result: "sequential", "global" or the rule after a relay experiment; "none" if the given controller is better, or
+        nothing found keeps the bounds.
     before, after : Evaluation
         Evaluations of the given and the calibrated controller.
     start_objective : float
@@ -107,6 +112,10 @@ class Tuned:
         Steps of the repair and of the sequential procedure.
     runs : int
         Total number of runs.
+    relay : dict of str to RelayTest
+        The relay experiment by axis, with that method.
+    rules : dict of str to Evaluation
+        What each rule gives.
     """
 
     controller: Controller = field(metadata=HIDDEN)
@@ -121,6 +130,8 @@ class Tuned:
     drive_terms: tuple[DriveTerms, ...]
     runs: int
     findings: tuple[Finding, ...] = field(metadata=HIDDEN)
+    relay: dict[str, RelayTest] = field(default_factory=dict)
+    rules: dict[str, Evaluation] = field(default_factory=dict)
 
     @property
     def interrupted(self) -> bool:
@@ -161,7 +172,7 @@ def tune(
     """
     settings = settings or TuneSettings()
     tuned = _tuned(setting, settings, pool, begin, progress)
-    again = not settings.parameter and settings.start == "scenario" and settings.method != "sequential"
+    again = not settings.parameter and settings.start == "scenario" and settings.method in ("global", "both")
     if tuned.after.violations and again and not tuned.interrupted:
         with suppress(ParameterError):
             placed = _tuned(setting, replace(settings, start="placed"), pool, begin, progress)
@@ -181,31 +192,43 @@ def _tuned(setting: Setting, settings: TuneSettings, pool: Workers | None, begin
         begin("placing poles")
         runner.setting = replace(setting, controller=placed_start(runner, settings.goal, settings.bounds))
     start = runner.setting.controller
-    space = Space.chosen(machine, start, settings.parameter, settings.width)
+    relay, tests, rules = settings.method == "relay", dict[str, RelayTest](), dict[str, Evaluation]()
+    space = Space.chosen(machine, start, settings.parameter, WIDEST if relay else settings.width)
     problem = Problem.of(runner, settings.goal, settings.bounds, space)
     values, guards = problem.objective.start, problem.guards
     start_objective = float(problem.objective.at(values).value[0])
-    path, global_result, candidates = _candidates(problem, settings, begin, progress)
+    if relay:
+        begin("relay experiment")
+        tests, path, global_result = relay_tests(runner.setting), SearchPath(dict(values)), None
+        candidates = list[Candidate]()
+        for rule, exact in rule_values(runner.setting, space, tests).items():
+            one = {variable.name: float(variable.written(exact[variable.name])) for variable in space.numbers}
+            candidates.append((float(problem.objective.at(one).value[0]), rule, one))
+            rules[rule] = evaluate(replace(setting, controller=with_values(machine, start, one)[1]), settings.bounds)
+    else:
+        path, global_result, candidates = _candidates(problem, settings, begin, progress)
     method, best, rejected = _chosen(problem, candidates)
     begin("checking the result")
     left: list[Finding] = []
-    if method == "global" or settings.rule.plateau != "largest":
+    if not relay and (method == "global" or settings.rule.plateau != "largest"):
         best, left = _left(problem, best, settings.rule)
     best = {variable.name: float(variable.written(best[variable.name])) for variable in space.numbers}
     tuned = with_values(machine, start, best)[1]
     after = evaluate(replace(setting, controller=tuned), settings.bounds)
     inside = all(variable.nearest == variable.value for variable in space.numbers)
-    if inside and not before.violations and after.worse_than(before, settings.goal.figure):
+    if inside and not relay and not before.violations and after.worse_than(before, settings.goal.figure):
         known = parameters_of(machine, controller)
         best = {variable.name: float(getattr(*known[variable.name])) for variable in space.numbers}
         method, tuned, after, left = "none", controller, before, []
     terms = drive_terms(machine, tuned, after.run)
     runs = runner.runs + (len(FRACTIONS) if settings.start == "placed" else 0) + 2
-    findings = [*_range_findings(space, best, guards), *rejected, *left]
+    findings = [*_range_findings(space, best, guards), *(relay_findings(tests) if relay else rejected), *left]
     if global_result is not None and global_result.values is None:
         findings.append(finding("CL603"))
     findings += [*linuxcnc_findings(terms), *_conclusions(settings.goal, before, after), *([finding("CL610")] if path.interrupted else [])]
-    return Tuned(tuned, space, best, method, before, after, start_objective, path, global_result, terms, runs, tuple(findings))
+    return Tuned(
+        tuned, space, best, method, before, after, start_objective, path, global_result, terms, runs, tuple(findings), tests, rules
+    )
 
 
 def _left(problem: Problem, best: Mapping[str, float], rule: LineRule) -> tuple[Mapping[str, float], list[Finding]]:
