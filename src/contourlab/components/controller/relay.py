@@ -21,7 +21,7 @@ class Relay(ControlLaw):
     """
 
     kind = "relay"
-    reference = "Astrom & Hagglund, Automatica 20 (1984)"
+    reference = "Astrom & Hagglund 1984"
     example = {"amplitude": 3.0, "hysteresis": 1e-6}
     states = (Port("side"),)
     inputs = ports("reference", "position", "disturbance_estimate", "feedforward")

@@ -146,6 +146,10 @@ class Calibration(Answer):
             drawn = self._draw(stage, folder, plots)
         return replace(self, controller_file=written, plots=drawn)
 
+    def _cited(self) -> tuple[list[Any], set[str]]:
+        found, words = super()._cited()
+        return found, words | {"relay"} if self.result.relay else words
+
     def _next(self, asked: Asked) -> Sequence[object] | None:
         """Run the motion with the new controller; or start elsewhere."""
         if self.controller_file is not None:
