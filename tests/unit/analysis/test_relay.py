@@ -76,7 +76,7 @@ def test_friction_and_load_are_found() -> None:
     test = relay_test(*relay_run(6000, T, 1.8, 50.0, 3 * T, count=1e-7, friction=0.1, load=0.2), T)
     assert test.friction == pytest.approx(0.1, abs=0.02) and test.bias == pytest.approx(-0.2, abs=0.03)
     assert test.gain_without_friction == pytest.approx(ultimate(1.8, 50.0, 3 * T, T)[0], rel=0.1)
-    assert [doubt.code for doubt in relay_findings({"x": test})] == ["CL612", "CL613", "CL614"]
+    assert [doubt.code for doubt in relay_findings({"x": test}, {"x": "V"})] == ["CL612", "CL613", "CL614"]
 
 
 def of(gain: float, period: float) -> RelayTest:

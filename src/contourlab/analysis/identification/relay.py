@@ -218,11 +218,11 @@ def _friction(command: Array, position: Array, period: float) -> tuple[float, fl
     return fit.get("friction", 0.0), w * math.hypot(w, b) / a, 2.0 * math.pi / w
 
 
-def relay_findings(tests: Mapping[str, RelayTest]) -> Iterator[Finding]:
-    """Yield what relay experiments by axis say besides gain and period."""
+def relay_findings(tests: Mapping[str, RelayTest], units: Mapping[str, str]) -> Iterator[Finding]:
+    """Yield what relay experiments by axis say besides gain and period; `units` are those of the commands."""
     for axis, test in tests.items():
         place, without = f"axis {axis}", test.gain_without_friction / test.gain.value
-        yield finding("CL612", place, cycles=test.cycles, level=test.level, travel=test.travel)
+        yield finding("CL612", place, cycles=test.cycles, level=test.level, unit=units[axis], travel=test.travel)
         if test.friction > FELT or without < 1.0 - FELT:
             yield finding("CL613", place, friction=test.friction, without=without)
         if abs(test.bias) > FELT:

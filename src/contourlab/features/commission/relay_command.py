@@ -90,4 +90,4 @@ def relay(log: str | Path | Log, *, settings: OfRelay, session: Session = QUIET)
             units[axis] = record.unit
             findings |= {str(doubt): doubt for doubt in request.findings()}
     gains = {axis: {rule: test.gains(rule) for rule in RULES} for axis, test in tests.items()}
-    return RelayCommissioned(tests, gains, units, (*relay_findings(tests), *findings.values()))
+    return RelayCommissioned(tests, gains, units, (*relay_findings(tests, units), *findings.values()))

@@ -222,7 +222,8 @@ def _tuned(setting: Setting, settings: TuneSettings, pool: Workers | None, begin
         method, tuned, after, left = "none", controller, before, []
     terms = drive_terms(machine, tuned, after.run)
     runs = runner.runs + (len(FRACTIONS) if settings.start == "placed" else 0) + 2
-    findings = [*_range_findings(space, best, guards), *(relay_findings(tests) if relay else rejected), *left]
+    units = {axis.name: axis.plant.command_unit for axis in machine.axes}
+    findings = [*_range_findings(space, best, guards), *(relay_findings(tests, units) if relay else rejected), *left]
     if global_result is not None and global_result.values is None:
         findings.append(finding("CL603"))
     findings += [*linuxcnc_findings(terms), *_conclusions(settings.goal, before, after), *([finding("CL610")] if path.interrupted else [])]
