@@ -85,6 +85,7 @@ def test_a_program_without_a_dialect_of_its_own_gets_no_proposal(contourlab: Run
     notes = contourlab("canon", write(tmp_path, "G0 X1.\nM2\n"), "--dialect", "fanuc").err
     assert "CL477" in notes
     assert notes.endswith("\n")
+    assert max(map(len, notes.splitlines())) <= 80
 
 
 @pytest.mark.parametrize(
