@@ -23,7 +23,7 @@ _FOREIGN = (
     (rb"\0+\Z", "a file of zero bytes only"),
 )
 _LOGS = rb"MATLAB \d|\x89HDF|CDF[\x01\x02\x05]|PAR1"
-_NUMBERS = re.compile(rb"^\s*[-+]?[\d.][-+\d.eE]*(\s*[,;\t ]\s*[-+]?[\d.][-+\d.eE]*)+\s*$", re.MULTILINE)
+_NUMBERS = re.compile(rb"^\s*[-+]?[\d.][-+\d.eE]*([ \t]*[,;\t ][ \t]*[-+]?[\d.][-+\d.eE]*)+\s*$", re.MULTILINE)
 _MOTION = re.compile(rb"^\s*/?\s*(?:N\d+\s*)?(?:G\s*\d|M\s*\d|[XYZ]\s*[-+.\d])", re.MULTILINE | re.IGNORECASE)
 _LINUXCNC = re.compile(rb"^\s*\[(EMC|EMCMOT|KINS|TRAJ|JOINT_0)\]|^\s*(loadrt|addf)\s+\S", re.MULTILINE)
 _GRBL = re.compile(rb"^[^\n$]{0,4}\$1[0-3]0\s*=|^\s+max_rate_mm_per_min\s*:", re.MULTILINE)

@@ -38,6 +38,12 @@ def test_a_file_is_known_by_its_content(kind: str, tmp_path: Path) -> None:
     assert bool(mistaken(file, wanted)) == bool(kind)
 
 
+def test_lines_that_end_in_a_blank_are_a_log(tmp_path: Path) -> None:
+    file = tmp_path / "halsampler.txt"
+    file.write_text("0 272.500000 0.000000 \n1 272.500000 0.000300 \n")
+    assert kind_of(file) == "a log"
+
+
 @pytest.mark.parametrize(
     "words",
     [

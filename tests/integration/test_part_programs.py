@@ -82,7 +82,10 @@ def test_check_proposes_the_dialect_of_the_program(contourlab: Run, tmp_path: Pa
 def test_a_program_without_a_dialect_of_its_own_gets_no_proposal(contourlab: Run, tmp_path: Path) -> None:
     write(tmp_path, "G41 D1\nG0 X1\nM2\n")
     assert "--dialect" not in contourlab("check", "part.ngc").out
-    assert "CL477" in contourlab("canon", write(tmp_path, "G0 X1.\nM2\n"), "--dialect", "fanuc").err
+    notes = contourlab("canon", write(tmp_path, "G0 X1.\nM2\n"), "--dialect", "fanuc").err
+    assert "CL477" in notes
+    assert notes.endswith("\n")
+    assert max(map(len, notes.splitlines())) <= 80
 
 
 @pytest.mark.parametrize(

@@ -137,7 +137,7 @@ def _answered(command: Command, place: str, values: dict[str, Any]) -> int:
     if answer.SILENT and isinstance(answer.stopped, KeyboardInterrupt):
         raise answer.stopped
     if hasattr(answer, "write"):  # too long for one text
-        print(*answer.write(sys.stdout, as_json), sep="\n", end="", file=sys.stderr)
+        sys.stderr.writelines(f"{line}\n" for line in answer.write(sys.stdout, as_json))
     elif as_json:
         say(answer.to_json())
     elif text := answer.text:

@@ -227,7 +227,7 @@ class Arc(Curve):
         ------
         GeometryError
             If there is no such arc, or if it nearly closes on itself and the centre would move by more than ten times the difference of the
-            radii.
+            radii and 2.54 um, to which programs in inches are rounded.
         """
         a, b, c = vector(start, "start"), vector(end, "end"), vector(centre, "centre")
         e1 = vector(u, "u") if u is not None else np.eye(a.size)[0]
@@ -240,7 +240,7 @@ class Arc(Curve):
             # Move the centre along the chord until both ends are equally far.
             move = float((pc - 0.5 * (pa + pb)) @ chord) / math.sqrt(square)
             gap = abs(float(np.linalg.norm(pa - pc)) - float(np.linalg.norm(pb - pc)))
-            if abs(sweep) > math.pi and abs(move) > 10.0 * gap + 1e-9:
+            if abs(sweep) > math.pi and abs(move) > 10.0 * gap + 2.54e-6:
                 raise GeometryError(
                     f"an arc of {math.degrees(sweep):.6g} degrees from {a.tolist()} to {b.tolist()}: its ends are "
                     f"{math.sqrt(square):.3g} m apart and their radii differ by {gap:.3g} m, so no circle near the centre joins them: "

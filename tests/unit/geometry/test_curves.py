@@ -173,6 +173,11 @@ def test_a_circle_that_misses_its_start_is_refused_and_not_changed(end: tuple[fl
     near = (0.01 + 0.01 * math.cos(angle), 0.01 * math.sin(angle))
     arc = Arc.through((0.02, 0.0), near, (0.01, 0.0), -2.0 * math.pi)
     assert arc.length == pytest.approx(0.01 * (2.0 * math.pi - angle), rel=1e-9)
+    # So is an end that is rounded to four decimals of an inch.
+    inch = Arc.through((0.0254, 2.54e-6), (0.0254, 0.0), (0.0, 0.0), -2.0 * math.pi - 1e-4)
+    np.testing.assert_allclose(inch.position([0.0, inch.length]), [(0.0254, 2.54e-6), (0.0254, 0.0)], rtol=0, atol=1e-15)
+    assert inch.length == pytest.approx(0.0254 * (2.0 * math.pi + 1e-4), rel=1e-4)
+    assert np.linalg.norm(inch.centre) < 2.54e-6
 
 
 @pytest.mark.parametrize(("a", "b"), [(0.04, 0.02), (0.02, 0.04), (1.0, 1.0), (1.0, 1e-3), (3e-6, 1e-6), (40.0, 7.0)])

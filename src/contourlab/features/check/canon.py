@@ -15,6 +15,7 @@ from contourlab.features.check import options
 from contourlab.features.check.program_check import about_reading
 from contourlab.features.check.reading import reading_of
 from contourlab.program import Arc, Dwell, Feed, Move, Plane, Point, Reader, Reading, Spline, Traverse, open_program
+from contourlab.rendering.table import paragraphs
 
 _KINDS = {Traverse: "traverse", Feed: "feed", Arc: "arc", Spline: "nurbs", Dwell: "dwell"}
 _CONTROLS = {None: "exact_path", "exact_path": "exact_path", "exact_stop": "exact_stop", "blend": "continuous"}
@@ -209,7 +210,7 @@ class Listed(Answer):
             while part := buffer.read(1 << 20):
                 out.write(part)
             out.flush()
-            about = [f"{self.file}: {found}" for found in about_reading(self.reading)]
+            about = [paragraphs([str(found)]) for found in about_reading(self.reading)]
             return about + [f"{self.file}:{notice.line}:{notice.column}: {notice.message}" for notice in reader.notices]
 
     def _next(self, asked: Asked) -> Sequence[object] | None:
