@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import fields, is_dataclass
 from functools import cache
 from pathlib import Path
@@ -17,8 +17,6 @@ from contourlab.program import Program
 from contourlab.result import Result
 from contourlab.result.stamp import identity, parse_stamp, read_stamp, stamp
 from contourlab.scenario import Case, Scenario
-
-_KINDS = Result | Scenario | Case | Machine | Controller | str | Path
 
 
 @cache
@@ -54,13 +52,13 @@ def cite(what: object) -> str:
     >>> "@misc{contourlab," in cl.cite(cl.load_scenario("builtin:ghaffari/demo-stage"))
     True
     """
-    known = isinstance(what, _KINDS) or hasattr(what, "_cited")
-    refuse(not known, ParameterError, "what", type(what).__name__, "an answer, a run, a machine or a file of contourlab")
     if isinstance(what, str | Path | Result):
         made = parse_stamp(what.stamp, what.scheme) if isinstance(what, Result) else read_stamp(what)
         refuse("cites" not in made, ResultError, "its stamp names no methods: cite the answer, or the machine and the controller")
         keys = set(made["cites"].split(","))
     else:
+        known = isinstance(what, Scenario | Case | Machine | Controller) or hasattr(what, "_cited")
+        refuse(not known, ParameterError, "what", type(what).__name__, "an answer, a run, a machine or a file of contourlab")
         keys = _keys(*_about(what))
     return "\n\n".join(references()[key][0] for key in sorted({"contourlab", *keys} & references().keys(), key=str.lower))
 
@@ -101,11 +99,10 @@ def _keys(objects: Iterable[Any], uses: set[str]) -> set[str]:
     return {key for key, (_, users) in references().items() if users & uses or any(key in text for text in texts)}
 
 
-def _components(value: Any) -> Iterator[Component]:
+def _components(value: Any) -> list[Component]:
     if isinstance(value, Component):
-        yield value
-    elif isinstance(value, Mapping | list | tuple):
-        for item in value.values() if isinstance(value, Mapping) else value:
-            yield from _components(item)
-    elif is_dataclass(value):
-        yield from _components([getattr(value, each.name) for each in fields(value) if each.compare])
+        return [value]
+    if is_dataclass(value):
+        value = {each.name: getattr(value, each.name) for each in fields(value) if each.compare}
+    items = value.values() if isinstance(value, Mapping) else value if isinstance(value, list | tuple) else ()
+    return [part for item in items for part in _components(item)]

@@ -19,8 +19,6 @@ from contourlab.errors import ResultError, error_text
 from contourlab.result.record import digest
 
 MARK = "made by contourlab"
-LIBRARIES = ("numpy", "scipy", "numba")
-"""Whose versions a stamp names, beside Python's."""
 _WORDS = re.compile(r"made by contourlab (\d[\w.+-]*)((?: [a-z]+=[\w.,+-]+)*);")
 _now: ContextVar[str] = ContextVar("stamp", default="")
 _told: ContextVar[list[Any]] = ContextVar("told")
@@ -28,7 +26,7 @@ ValueT = TypeVar("ValueT")
 
 
 def stamp(**parts: str) -> str:
-    """Return the line that says what made a file, with the versions of contourlab, Python and `LIBRARIES`.
+    """Return the line that says what made a file, with the versions of contourlab, Python, NumPy, SciPy and Numba.
 
     Parameters
     ----------
@@ -44,7 +42,7 @@ def stamp(**parts: str) -> str:
 
 @cache
 def _libraries() -> dict[str, str]:
-    return {"contourlab": version("contourlab"), "python": platform.python_version(), **{name: version(name) for name in LIBRARIES}}
+    return {"python": platform.python_version(), **{name: version(name) for name in ("contourlab", "numpy", "scipy", "numba")}}
 
 
 def identity(*values: Any) -> str:
