@@ -161,7 +161,7 @@ def grammatical(text: str) -> list[list[str]]:
 
 
 def test_the_tables_of_an_answer_are_latex_in_um_with_intervals(answer) -> None:
-    assert answer.to_latex().startswith(f"% {answer.stamp()}\n\n")
+    assert answer.to_latex().startswith(f"% {answer.stamp()}\n\n") and str(answer) == answer.text
     (outcome,) = answer.outcomes
     rows = {row[0]: row[1:] for row in grammatical(answer.to_latex().strip().replace("\n\n", "\n"))}
     largest = float(rows["contour error, largest [$\\mu$m]"][0])
