@@ -74,9 +74,8 @@ def _frame_class() -> Any:
 
         def __repr__(self) -> str:
             heads = {name: f"{name} [{unit}]" for name, unit in self.attrs.get("units", {}).items() if unit}
-            width, most, least = map(pandas.get_option, ("display.width", "display.max_rows", "display.min_rows"))
-            shown = self.rename(columns=heads)
-            return str(shown.to_string(line_width=width, max_rows=most, min_rows=least, float_format="{:.4g}".format))
+            with pandas.option_context("display.max_columns", None, "display.float_format", "{:.4g}".format):
+                return repr(self.rename(columns=heads))
 
         def __reduce_ex__(self, protocol: Any) -> Any:
             return pandas.DataFrame, (pandas.DataFrame(self),)

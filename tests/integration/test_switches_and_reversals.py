@@ -58,7 +58,6 @@ def schemes(found: Finished) -> dict[str, Any]:
 
 def rows(found: Finished, name: str) -> list[dict[str, str]]:
     with (found.folder / "switches" / f"{name}.csv").open(encoding="utf-8", newline="") as stream:
-        assert stream.readline().startswith("# made by contourlab")
         return list(csv.DictReader(stream))
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import fields, is_dataclass
 from functools import cache
 from pathlib import Path
@@ -12,26 +12,19 @@ from typing import Any
 from contourlab import __version__
 from contourlab.components.contract import Component
 from contourlab.errors import ParameterError, ResultError, refuse
-from contourlab.file_kinds import kind_of
 from contourlab.loop import Controller, Machine
-from contourlab.program import Program, read_program
+from contourlab.program import Program
 from contourlab.result import Result
 from contourlab.result.stamp import identity, parse_stamp, read_stamp, stamp
-from contourlab.scenario import BUILTIN, Case, Scenario, load_scenario
-from contourlab.scenario.load import machine_of
-
-_KINDS = (Result, Scenario, Case, Machine, Controller, str, Path)
+from contourlab.scenario import Case, Scenario
 
 
 @cache
 def references() -> Mapping[str, tuple[str, frozenset[str]]]:
     """Return each reference by its key: its BibTeX, and what uses it without a component; see ``references.bib``."""
     text = (Path(__file__).parent / "references.bib").read_text(encoding="utf-8").replace("@VERSION@", __version__)
-    found = {}
-    for entry in re.findall(r"^@\w+\{.*?^\}", text, re.MULTILINE | re.DOTALL):
-        printed, *uses = re.split(r",\n  methodof = \{(.*)\}\n", entry)
-        found[re.findall(r"\{([^,]+),", entry)[0]] = (printed + "\n}", frozenset(uses[0].split())) if uses else (entry, frozenset())
-    return found
+    entries = re.findall(r"^(@\w+\{(\w+),.*?)(?:,\n  methodof = \{(.*?)\})?\n\}", text, re.MULTILINE | re.DOTALL)
+    return {key: (f"{entry}\n}}", frozenset(uses.split())) for entry, key, uses in entries}
 
 
 def cite(what: object) -> str:
@@ -59,13 +52,13 @@ def cite(what: object) -> str:
     >>> "@misc{contourlab," in cl.cite(cl.load_scenario("builtin:ghaffari/demo-stage"))
     True
     """
-    known = isinstance(what, _KINDS) or hasattr(what, "_cited")
-    refuse(not known, ParameterError, "what", type(what).__name__, "an answer, a run, a machine or a file of contourlab")
     if isinstance(what, str | Path | Result):
         made = parse_stamp(what.stamp, what.scheme) if isinstance(what, Result) else read_stamp(what)
         refuse("cites" not in made, ResultError, "its stamp names no methods: cite the answer, or the machine and the controller")
         keys = set(made["cites"].split(","))
     else:
+        known = isinstance(what, Scenario | Case | Machine | Controller) or hasattr(what, "_cited")
+        refuse(not known, ParameterError, "what", type(what).__name__, "an answer, a run, a machine or a file of contourlab")
         keys = _keys(*_about(what))
     return "\n\n".join(references()[key][0] for key in sorted({"contourlab", *keys} & references().keys(), key=str.lower))
 
@@ -73,28 +66,9 @@ def cite(what: object) -> str:
 def stamp_of(what: object) -> str:
     """Return the stamp of the files of an answer, or of the runs of a case."""
     objects, words = _about(what)
-    return stamp(**_all_digests(objects), cites=",".join(sorted(_keys(objects, words))))
-
-
-def digests_of(file: str | Path) -> dict[str, str]:
-    """Return the digests of ``machine``, ``controller`` and ``program`` that a scenario, a machine or a part program has now.
-
-    Raises
-    ------
-    ScenarioError, ProgramError
-        If it cannot be read as one of them.
-    """
-    kind = kind_of(file)
-    if kind == "a part program":
-        return {"program": identity(read_program(file).lines)}
-    found = load_scenario(file) if kind == "a scenario" or str(file).startswith(BUILTIN) else machine_of(file)
-    return {key: digests for key, digests in _all_digests(_about(found)[0]).items() if digests}
-
-
-def _all_digests(objects: Sequence[Any]) -> dict[str, str]:
-    found = list(zip(*map(_digests, objects), strict=True)) or [(), (), ()]
-    names = ("machine", "controller", "program")
-    return {name: ",".join(filter(None, dict.fromkeys(each))) for name, each in zip(names, found, strict=True)}
+    parts, keys = [_parts(one) for one in objects], ("machine", "controller", "program")
+    digests = {key: ",".join(dict.fromkeys(identity(*one[key]) for one in parts if key in one)) for key in keys}
+    return stamp(**digests, cites=",".join(sorted(_keys(objects, words))))
 
 
 def _about(what: Any) -> tuple[list[Any], set[str]]:
@@ -104,14 +78,13 @@ def _about(what: Any) -> tuple[list[Any], set[str]]:
     return [one for each in cases for one in each if isinstance(one, Case | Machine | Controller | Program)], words
 
 
-def _digests(one: Any) -> tuple[str, str, str]:
-    """Return the digests of machine, controller and program."""
-    if isinstance(one, Case):
-        given = getattr(one, "given", None)
-        program = one.lines or one.motion if given is None else given.digest
-        return identity(one.machine), identity(one.controller, *one.changes), identity(program)
-    kinds = (Machine, Controller, Program)
-    return tuple(identity(getattr(one, "lines", one)) if isinstance(one, kind) else "" for kind in kinds)  # type: ignore[return-value]
+def _parts(one: Any) -> dict[str, tuple[Any, ...]]:
+    """Return what the digests of machine, controller and program cover."""
+    if not isinstance(one, Case):
+        return {type(one).__name__.lower(): (getattr(one, "lines", one),)}
+    given = getattr(one, "given", None)
+    program = one.lines or one.motion if given is None else given.digest
+    return {"machine": (one.machine,), "controller": (one.controller, *one.changes), "program": (program,)}
 
 
 def _keys(objects: Iterable[Any], uses: set[str]) -> set[str]:
@@ -126,11 +99,10 @@ def _keys(objects: Iterable[Any], uses: set[str]) -> set[str]:
     return {key for key, (_, users) in references().items() if users & uses or any(key in text for text in texts)}
 
 
-def _components(value: Any) -> Iterator[Component]:
+def _components(value: Any) -> list[Component]:
     if isinstance(value, Component):
-        yield value
-    elif isinstance(value, Mapping | list | tuple):
-        for item in value.values() if isinstance(value, Mapping) else value:
-            yield from _components(item)
-    elif is_dataclass(value):
-        yield from _components([getattr(value, each.name) for each in fields(value) if each.compare])
+        return [value]
+    if is_dataclass(value):
+        value = {each.name: getattr(value, each.name) for each in fields(value) if each.compare}
+    items = value.values() if isinstance(value, Mapping) else value if isinstance(value, list | tuple) else ()
+    return [part for item in items for part in _components(item)]

@@ -153,6 +153,9 @@ class Answer:
         """The answer for the terminal."""
         raise NotImplementedError
 
+    def __str__(self) -> str:
+        return self.text
+
     @property
     def exit_code(self) -> int:
         """Exit code of the command: 1 if a verdict failed."""

@@ -33,7 +33,6 @@ class Entry(Answer):
     value: Any
     words: str
     then: Sequence[object] = ()
-    passed: bool | None = None
 
     @property
     def json(self) -> Any:
@@ -146,7 +145,6 @@ class Explain(Options):
     """Explain a finding: what it means, and what to do about it. Or a file that contourlab wrote: what made it."""
 
     cite: bool = option(False, "Print BibTeX of the methods behind a file.")
-    since: Path | None = option(None, "Scenario, machine or part program: say what changed since the file was written.", metavar="FILE")
 
 
 @options
@@ -159,9 +157,13 @@ class OfCode(Shown):
 def explain(code: str | None, settings: Explain, session: Session) -> Entry:
     """List the findings, explain one, or say what made a file."""
     if code is not None and Path(code).is_file():
-        return _made(code, settings)
-    unused = [name for name, given in (("--cite", settings.cite), ("--since", settings.since)) if given]
-    refuse(bool(unused), ParameterError, ", ".join(unused), "given", "left out: it is about a file that contourlab wrote")
+        from contourlab.app.cite import cite
+        from contourlab.result.stamp import read_stamp
+
+        text = cite(code) if settings.cite else ""
+        made = {"bibtex": text} if text else read_stamp(code)
+        return Entry(made, text or "\n".join(f"{key}: {value.replace(',', ', ')}" for key, value in made.items()))
+    refuse(settings.cite, ParameterError, "--cite", "given", "left out: it is about a file that contourlab wrote")
     from contourlab.findings import catalogue
     from contourlab.rendering.table import Column, Table, page_width, paragraphs
 
@@ -170,29 +172,11 @@ def explain(code: str | None, settings: Explain, session: Session) -> Entry:
         columns = [Column("code", left=True), Column("severity", left=True), Column("name", left=True), Column("text", prose=True)]
         table = Table(columns, rows=((entry.code, entry.severity, entry.name, entry.outline) for entry in entries.values()))
         return Entry(list(entries.values()), table.text(), ("explain", next(iter(entries))))
-    code = f"CL{code}" if code.isdigit() else code.upper()
-    refuse(code not in entries, ParameterError, "CODE", repr(code), "a code that `contourlab explain` lists")
-    entry = entries[code]
+    entry = entries.get(f"CL{code}" if code.isdigit() else code.upper())
+    if entry is None:
+        raise ParameterError("CODE", repr(code), "a code that `contourlab explain` lists, or a file that contourlab wrote")
     texts = [f"{entry.code} {entry.name} ({entry.severity})", entry.outline, entry.meaning, f"What to do: {entry.remedy}"]
     return Entry([entry], "\n\n".join(paragraphs([text], page_width(), indent="") for text in texts))
-
-
-def _made(file: str, settings: Explain) -> Entry:
-    """Say what made a file, and what changed since."""
-    from contourlab.app.cite import cite, digests_of
-    from contourlab.result.stamp import read_stamp
-
-    made = read_stamp(file)
-    if settings.cite:
-        text = cite(file)
-        return Entry({"bibtex": text}, text)
-    now = {} if settings.since is None else digests_of(settings.since)
-    compared = {key: set(made[key].split(",")) <= set(digests.split(",")) for key, digests in now.items() if key in made}
-    if settings.since is not None:
-        refuse(not compared, ParameterError, "--since", repr(str(settings.since)), f"one of what the file names: {', '.join(made)}")
-    words = {key: "the same" if same else "changed since" for key, same in compared.items()}
-    lines = [f"{key}: {value.replace(',', ', ')}" + (f" ({words[key]})" if key in words else "") for key, value in made.items()]
-    return Entry(made | {f"{key}_now": word for key, word in words.items()}, "\n".join(lines), passed=all(compared.values()))
 
 
 @options

@@ -110,7 +110,7 @@ def sampled(part: Any, system: System, dt: float) -> System:
     n, m = b.shape
     if part.discrete:
         if not math.isclose(part.period, dt, rel_tol=1e-9):
-            raise ParameterError(f"{part.kind}.period", f"{1e3 * part.period:g}", f"{1e3 * dt:g}, the period at which it runs", "ms")
+            raise ParameterError(f"{part.kind}.period", f"{1e3 * part.period:g}", f"{1e3 * dt:g} ms, the period at which it runs", "ms")
         return system
     if getattr(part, "method", "") == "tustin":
         half = np.linalg.inv(np.eye(n) - 0.5 * dt * a)

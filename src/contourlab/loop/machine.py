@@ -482,10 +482,10 @@ class AxisController:
     gap_observer, compensation : Component or None
     supervisor : Component or None
         Chooses between `controller`, number 0, and those of `others`, numbers 1, 2 ...
-    others : tuple of (str, Component)
-        Further controllers with their names.
-    filters : tuple of (str, Component)
-        Filters with their names, in the order in which the command passes them on its way to the drive.
+    others : dict of str: Component, kept as a tuple of pairs
+        Further controllers by name.
+    filters : dict of str: Component, kept as a tuple of pairs
+        Filters by name, in the order in which the command passes them on its way to the drive.
     feedback, velocity_feedback : {"load", "motor"}
         Side of a drive with backlash on which position and velocity are measured.
     link : Division or None
@@ -525,6 +525,11 @@ class AxisController:
         return {slot: part for slot, part in slots.items() if part is not None}
 
     def __post_init__(self) -> None:
+        for slot in NAMED_SLOTS:
+            try:
+                object.__setattr__(self, slot, tuple(dict(getattr(self, slot)).items()))
+            except (TypeError, ValueError) as error:
+                raise ParameterError(slot, repr(getattr(self, slot)), "components by their names") from error
         for name in ("feedback", "velocity_feedback"):
             refuse(getattr(self, name) not in SIDES, ParameterError, name, repr(getattr(self, name)), "one of " + ", ".join(SIDES))
         if bool(self.others) != (self.supervisor is not None):

@@ -242,8 +242,7 @@ def with_intervals(data: ReportData) -> Comparison:
     """Return the comparison, and below it the interval of the part error of each scheme that has one."""
     comparison, rows = compare(data), []
     for name in ("max", "rms"):
-        found = [scheme.trust.interval if scheme.trust is not None else None for scheme in data.schemes]
-        spreads = [getattr(interval, name) if interval is not None else None for interval in found]
+        spreads = [getattr(scheme.trust and scheme.trust.interval, name, None) for scheme in data.schemes]
         cells = tuple(Cell(NONE if one is None else f"{number(UM * one.low)} to {number(UM * one.high)}") for one in spreads)
         rows += [Row(f"part error, {ERRORS[name]}, 5 to 95 % of the machines", "um", cells)] if any(spreads) else []
     return replace(comparison, rows=(*comparison.rows, *rows))

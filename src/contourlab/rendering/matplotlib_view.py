@@ -79,10 +79,10 @@ def _for_print(figure: Any, width: float, columns: int) -> None:
     from matplotlib.text import Text
 
     lines = [line for place in figure.axes for line in place.lines if line.get_linestyle() == "-"]
-    colours = list(dict.fromkeys(str(line.get_color()) for line in lines))
+    looks: dict[str, Any] = {}
     named = {line.get_label(): line.get_linestyle() for place in figure.axes for line in place.lines if line not in lines}
     for line in lines:
-        own = DASHES[colours.index(str(line.get_color())) % len(DASHES)]
+        own = looks.setdefault(str(line.get_color()), DASHES[len(looks) % len(DASHES)])
         line.set_linestyle(named.get(line.get_label(), own))
     letters = int(0.9 * width * LETTERS_PER_INCH)
     for place in figure.axes:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import platform
 import re
-import zipfile
 from collections.abc import Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager
 from contextvars import ContextVar
@@ -15,14 +15,10 @@ from os import PathLike
 from pathlib import Path, PurePath
 from typing import Any, TypeVar
 
-import numpy as np
-
 from contourlab.errors import ResultError, error_text
-from contourlab.result.record import covered, digest
+from contourlab.result.record import digest
 
 MARK = "made by contourlab"
-LIBRARIES = ("numpy", "scipy", "numba")
-"""Whose versions a stamp names, beside Python's."""
 _WORDS = re.compile(r"made by contourlab (\d[\w.+-]*)((?: [a-z]+=[\w.,+-]+)*);")
 _now: ContextVar[str] = ContextVar("stamp", default="")
 _told: ContextVar[list[Any]] = ContextVar("told")
@@ -30,7 +26,7 @@ ValueT = TypeVar("ValueT")
 
 
 def stamp(**parts: str) -> str:
-    """Return the line that says what made a file, with the versions of contourlab, Python and `LIBRARIES`.
+    """Return the line that says what made a file, with the versions of contourlab, Python, NumPy, SciPy and Numba.
 
     Parameters
     ----------
@@ -46,28 +42,23 @@ def stamp(**parts: str) -> str:
 
 @cache
 def _libraries() -> dict[str, str]:
-    return {"contourlab": version("contourlab"), "python": platform.python_version(), **{name: version(name) for name in LIBRARIES}}
+    return {"python": platform.python_version(), **{name: version(name) for name in ("contourlab", "numpy", "scipy", "numba")}}
 
 
 def identity(*values: Any) -> str:
     """Return a digest of values: of all that comparisons see, so neither of sources nor of the files that they come from."""
-    return digest(covered({"": [_plain(value) for value in values]}))
+    return digest(json.dumps({"": values}, default=_plain, sort_keys=True).encode())
 
 
 def _plain(value: Any) -> Any:
+    """Return what JSON holds of a value that it does not know."""
     if hasattr(value, "family"):  # a component
-        return [value.family, value.kind, _plain(value.values())]
+        return [value.family, value.kind, value.values()]
     if is_dataclass(value) and not isinstance(value, type):
-        return [type(value).__name__, {each.name: _plain(getattr(value, each.name)) for each in fields(value) if each.compare}]
+        return [type(value).__name__, {each.name: getattr(value, each.name) for each in fields(value) if each.compare}]
     if isinstance(value, Mapping):
-        return {str(key): _plain(item) for key, item in value.items()}
-    if isinstance(value, list | tuple):
-        return [_plain(item) for item in value]
-    if isinstance(value, np.ndarray | np.generic):
-        return _plain(value.tolist())
-    if isinstance(value, PurePath):
-        return value.name
-    return value if value is None or isinstance(value, str | int | float) else repr(value)
+        return dict(value)
+    return value.name if isinstance(value, PurePath) else value.tolist() if hasattr(value, "tolist") else repr(value)
 
 
 @contextmanager
@@ -110,12 +101,8 @@ def read_stamp(file: str | PathLike[str]) -> dict[str, str]:
         If the file cannot be read, or says nothing.
     """
     try:
-        if zipfile.is_zipfile(file):  # an FMU
-            with zipfile.ZipFile(file) as archive:
-                content = archive.read("modelDescription.xml")
-        else:
-            content = Path(file).read_bytes()
-    except (OSError, KeyError, ValueError, zipfile.BadZipFile) as error:
+        content = Path(file).read_bytes()
+    except (OSError, ValueError) as error:
         raise ResultError(f"{file}: cannot be read: {error_text(error)}") from error
     return parse_stamp(content.decode("latin-1"), file)
 

@@ -123,6 +123,15 @@ def test_what_cannot_be_used_is_refused() -> None:
         cl.from_system(3.0)
     with refuses(ParameterError, name="system"):
         cl.from_system(control.ss(-1.0, 1.0, [[1.0], [1.0]], [[0.0], [0.0]]))
+    with refuses(ParameterError, name="axis"):
+        cl.linear(MACHINE, cl.Controller({}), "x")
+    plant = cl.linear(MACHINE, controller, "x").plant.to_control()
+    assert cl.from_system(plant[0, 0], "plant").kind == "state-space"
+    for wrong in (plant[0, :], control.frd([1.0, 2.0], [1.0, 2.0])):
+        with refuses(ParameterError, name="system"):
+            cl.from_system(wrong, "plant")
+    with refuses(ParameterError, name="period"):
+        cl.from_system(control.tf([1.0], [1.0, 0.5], PERIOD), period=2 * PERIOD)
     with refuses(ParameterError, name="dt"):
         cl.from_system(control.ss(0.5, 1.0, 1.0, 0.0, True))
     with refuses(ParameterError, name="system"):

@@ -205,3 +205,11 @@ def test_limits_unsuitable_for_planning_name_the_axis(limits: cl.Limits, wanted:
     whole = cl.Axis("x", plant, limits=cl.Limits(velocity=0.5, jerk=40.0))
     with pytest.raises(FeedError, match=wanted):
         cl.Machine("m", (whole, cl.Axis("y", plant, limits=limits)), 1e-3).planner_limits()
+
+
+def test_filters_have_names() -> None:
+    low = make("filter", "low-pass", frequency=100.0)
+    assert cl.AxisController(filters={"low": low}) == cl.AxisController(filters=(("low", low),))
+    for wrong in ((low,), low, 3):
+        with refuses(ParameterError, name="filters"):
+            cl.AxisController(filters=wrong)

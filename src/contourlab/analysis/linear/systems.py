@@ -90,7 +90,7 @@ def linear(machine: Machine, controller: Controller, axis: str) -> LinearAxis:
     Raises
     ------
     ParameterError
-        If there is no such axis.
+        If machine or controller have no such axis.
     ComponentError
         If a component is not linear, or the plant takes positions.
 
@@ -101,9 +101,8 @@ def linear(machine: Machine, controller: Controller, axis: str) -> LinearAxis:
     >>> cl.linear(machine, cl.Controller({"x": cl.AxisController(law)}), "x").plant.a.round(6).tolist()
     [[1.0, 0.000998], [0.0, 0.995012]]
     """
-    refuse(
-        axis not in machine.axis_names, ParameterError, "axis", repr(axis), f"an axis of {machine.name}: {hint(axis, machine.axis_names)}"
-    )
+    names = [name for name in machine.axis_names if name in controller.axes]
+    refuse(axis not in names, ParameterError, "axis", repr(axis), f"an axis of machine and controller: {hint(axis, names)}")
     return systems_of(sampled_loop(machine.axis(axis), controller.axes[axis], machine.servo_period, machine.carried_mass(axis)))
 
 
@@ -155,7 +154,7 @@ def from_system(system: Any, family: str = "controller", **values: Any) -> Compo
     family : str
         "plant", "controller" or "filter".
     **values
-        Further parameters, such as ``method="zero-order-hold"``.
+        Further parameters, such as ``method="zero-order-hold"``; not the period, which is the system's own.
 
     Returns
     -------
@@ -172,20 +171,25 @@ def from_system(system: Any, family: str = "controller", **values: Any) -> Compo
     """
     families = ("plant", "controller", "filter")
     refuse(family not in families, ParameterError, "family", repr(family), f"one of {', '.join(families)}")
-    if not hasattr(system, "num") and hasattr(system, "to_ss"):
+    if not hasattr(system, "num") and hasattr(system, "poles") and hasattr(system, "to_ss"):  # not a frequency response
         system = system.to_ss()
     period = getattr(system, "dt", None)
     refuse(period is True, ParameterError, "dt", "True", "the servo period in s")
+    refuse("period" in values, ParameterError, "period", "given", "left out: the system has its own, dt")
     rational = hasattr(system, "num")
     kind: Callable[..., Component] = component(family, "transfer-function" if rational else "state-space")
     given: dict[str, Any] = {"period": float(period or 0.0), **values}
     if rational:
         return kind(numerator=_only(system.num), denominator=_only(system.den), **given)
     found = {name: getattr(system, name.upper(), getattr(system, name, None)) for name in "abcd"}
-    refuse(any(value is None for value in found.values()), ParameterError, "system", type(system).__name__, "one with A, B, C and D")
+    usable = all(value is not None and np.isrealobj(value) for value in found.values())
+    refuse(not usable, ParameterError, "system", type(system).__name__, "one with A, B, C and D, all real")
     numbers = {name: np.atleast_2d(np.asarray(value, dtype=float)) for name, value in found.items()}
-    outputs, direct = len(numbers["d"]), numbers["d"].any()
-    refuse(outputs != 1, ParameterError, "system", f"with {outputs} outputs", "one output: choose one, as system[0, :] of python-control")
+    (outputs, inputs), direct = numbers["d"].shape, numbers["d"].any()
+    several = family == "controller"  # may have several inputs
+    bound = f"one output{'' if several else ' and one input'}: choose, as system[0, {':' if several else '0'}] of python-control"
+    wrong = outputs != 1 or (inputs != 1 and not several)
+    refuse(wrong, ParameterError, "system", f"with {outputs} outputs, {inputs} inputs", bound)
     if family == "plant":
         refuse(direct, ParameterError, "system", f"with D = {numbers.pop('d').tolist()}", "D = 0: a position cannot jump with the command")
     return kind(**{name: matrix.ravel() for name, matrix in numbers.items()}, **given)

@@ -584,9 +584,9 @@ def unit_of(made: Control, version: str) -> bytes:
     if place and command:
         files[place] = _compiled(command, sources, (library, interface))
     buffer = io.BytesIO()
-    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
+    with zipfile.ZipFile(buffer, "w") as archive:
         for name, content in files.items():
-            archive.writestr(zipfile.ZipInfo(name), content, zipfile.ZIP_DEFLATED)
+            archive.writestr(zipfile.ZipInfo(name), content)  # not compressed, so that what made it can be read
     return buffer.getvalue()
 
 

@@ -18,7 +18,6 @@ from contourlab.loop.switches import RECORDED, Switches, SwitchLog
 from contourlab.metrics.judge import judge
 from contourlab.result import Result
 from contourlab.result.atomic import replacing
-from contourlab.result.stamp import current
 from contourlab.result.stored import Stored
 
 SWITCH_COLUMNS = ("time_s", "sample", "axis", "from", "to", "reason", "arc_length_m", "line")
@@ -123,7 +122,6 @@ def write_switches(file: str | Path, switches: Switches) -> None:
         If it cannot be written.
     """
     with replacing(file) as temporary, temporary.open("w", encoding="utf-8", errors="replace", newline="") as stream:
-        stream.write(f"# {current()}\n")
         rows = csv.writer(stream, lineterminator="\n")
         rows.writerow(SWITCH_COLUMNS)
         for each in switches.rows():

@@ -219,15 +219,14 @@ def export(store: Store, file: Path) -> Export:
     schema, is_csv = store.schema, suffix == ".csv"
     if is_csv:
         schema = arrow.schema([field.with_name(head) for field, head in zip(schema, heads_of(schema), strict=True)])
+    schema = schema.with_metadata({"made_by": stamp(**{key: store.manifest.identity[key][:16] for key in ("scenario", "study")})})
 
-    made = stamp(**{key: store.manifest.identity[key][:16] for key in ("scenario", "study")})
-    schema = schema.with_metadata({"made_by": made})
-    with replacing(file) as temporary, temporary.open("wb") as stream:
-        if is_csv:
-            stream.write(f"# {made}\n".encode())
-        with csv.CSVWriter(stream, schema) if is_csv else parquet.ParquetWriter(stream, schema, compression="zstd") as writer:
-            for number in sorted(store.parts):
-                writer.write_table(parquet.read_table(store.parts[number], schema=store.schema).rename_columns(schema.names))
+    def opened(path: Path) -> Any:
+        return csv.CSVWriter(str(path), schema) if is_csv else parquet.ParquetWriter(path, schema, compression="zstd")
+
+    with replacing(file) as temporary, opened(temporary) as writer:
+        for number in sorted(store.parts):
+            writer.write_table(parquet.read_table(store.parts[number], schema=store.schema).rename_columns(schema.names))
     return Export(file, store.done, store.manifest.variants)
 
 

@@ -239,7 +239,7 @@ def test_a_controller_that_takes_over_is_written_with_the_switches(tmp_path: Pat
     machine, controller = rig()
     changes = (Change(0.3, rig(velocity_gain=50.0)[1], file="calm.toml"),)
     cl.simulate_to_file(machine, controller, reference(1), tmp_path / "run.nc", changes=changes, switches=tmp_path / "switches.csv")
-    rows = list(csv.DictReader((tmp_path / "switches.csv").read_text(encoding="utf-8").splitlines()[1:]))
+    rows = list(csv.DictReader((tmp_path / "switches.csv").read_text(encoding="utf-8").splitlines()))
     assert [(row["sample"], row["axis"], row["from"], row["to"]) for row in rows] == [("300", axis, "controller", "calm") for axis in "xy"]
     whole = cl.simulate(machine, controller, reference(1), changes=changes)
     np.testing.assert_array_equal(cl.Result.load(tmp_path / "run.nc")["axis_position"], whole["axis_position"])
@@ -251,7 +251,6 @@ def test_names_with_spreadsheet_separators_survive_a_round_trip(tmp_path: Path) 
     found = Switches(("x",), PERIOD, kinds, one, one + 3, np.array([np.nan]), one + 12, {}, {})
     write_switches(tmp_path / "switches.csv", found)
     with (tmp_path / "switches.csv").open(encoding="utf-8", newline="") as stream:
-        assert stream.readline().startswith("# made by contourlab ")
         (row,) = csv.DictReader(stream)
     assert (row["from"], row["to"], row["reason"]) == ('a, "b"', "line\nbreak", "because; of")
     assert (row["time_s"], row["sample"], row["arc_length_m"], row["line"]) == ("0.003", "3", "", "12")
