@@ -371,12 +371,12 @@ class Machine:
         """Raise if a loaded plant is known by its response only: its moved mass is unknown."""
         carried = self.carried_mass(axis.name)
         if carried and not axis.plant.knows_mass:
-            bound = f"a plant with a mass, because the axis carries {carried:g} kg; or delete stage_mass"
+            bound = f"a plant with a carried_mass, because the axis carries {carried:g} kg; or delete stage_mass"
             raise ParameterError(f"axes.{axis.name}.plant", f'"{axis.plant.kind}"', bound)
         below = self.axis(axis.mounted_on).plant if axis.mounted_on and axis.alignment else axis.plant
         for plant in (axis.plant, below):
-            if axis.alignment and not (plant.knows_mass and plant.force_unit == "N"):
-                bound = f'0 with a "{plant.kind}" plant, which has no mass'
+            if axis.alignment and not ({"mass", "carried_mass"}.issubset((*plant.numeric(), *plant.derived)) and plant.force_unit == "N"):
+                bound = f'0 with a "{plant.kind}" plant, which has no mass and carried_mass'
                 raise ParameterError(f"axes.{axis.name}.alignment", f"{axis.alignment:g}", bound)
 
     def _check_step(self, axis: Axis) -> None:

@@ -82,16 +82,18 @@ def continuous_model(plant: Any) -> LinearModel | None:
 
     None if a state counts in ticks, as one that keeps the last command: it fades over the shortest step.
     """
-    from scipy.linalg import logm
-
     par = SimpleNamespace(**plant.block(BRIEF))
     step, whole = plant.make_step(), tick_matrix(plant, par, BRIEF)
     n, m = rows(step.states), rows(step.inputs)
-    if np.abs(np.linalg.eigvals(whole[:n, :n])).min(initial=1.0) < 0.9:
+    if np.abs(np.linalg.eigvals(whole[:n, :n]) - 1.0).max(initial=0.0) > 0.1:
         return None
     held = np.eye(n + m)
     held[:n] = whole[:n]
-    model = np.real(logm(held))[:n] / BRIEF
+    # The series of log(1 + x): unlike `logm` it keeps the digits of each entry, however small.
+    one, model = np.eye(n + m), np.zeros((n + m, n + m))
+    for k in range(16, 0, -1):
+        model = (held - one) @ (one / k - model)
+    model = model[:n] / BRIEF
     # Outputs are those at the end of the step.
     told = [port.name for port in step.outputs if port.name.endswith(("position", "velocity")) or port.name == plant.measured]
     names = [port.name for port in step.outputs for _ in range(port.rows)]
