@@ -352,6 +352,9 @@ def test_it_is_checked_at_the_sub_steps_that_it_asks_for() -> None:
     assert f"every parameter has an effect ({len(Stiff.parameters)})" in cl.check_component(Stiff)
     with refuses(ParameterError, "9", name="axes.x.substeps"):
         machine(Stiff(**Stiff.example))
+    Stiff.fewest_substeps = lambda self, dt: 9  # type: ignore
+    with pytest.raises(ComponentError, match="fewest_substeps returns 9"):
+        machine(Stiff(**Stiff.example))
 
 
 def test_the_load_has_the_sensor_of_a_plant_with_two_sides() -> None:
