@@ -365,7 +365,15 @@ def _check_linear(kind: type[Component], part: Component) -> bool:
         from contourlab.components.mechanics.core import link
         from contourlab.components.registry import component
 
-        part = part.linear()
+        plant: Any = part
+        for mobility in plant.mobilities() if plant.steps_itself else ():
+            pushed = float(model.c[model.outputs.index("velocity")] @ model.b[:, model.inputs.index("load")])
+            if not abs(pushed - mobility) <= 0.01 * abs(mobility):
+                message = (
+                    f"its mobility_value is {mobility:.4g}, but a load accelerates the mass of its velocity by {pushed:.4g} m/s^2 per force"
+                )
+                raise fault(kind, message, kind.derive)
+        part = plant.linear()
         step = link(part, component("friction", "none")())
     if wrong := _linear_fault(model, step, part):
         raise fault(kind, f"its linear model differs from its step: {wrong}", kind.linearize)

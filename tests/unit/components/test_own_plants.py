@@ -318,6 +318,24 @@ def test_outputs_are_those_at_the_end_of_the_step() -> None:
             use()
 
 
+def test_friction_acts_where_the_load_pushes() -> None:
+    class Elsewhere(Flexible):
+        """A plant whose load pushes the motor, while it tells the mobility of the table."""
+
+        kind = "elsewhere"
+
+        @staticmethod
+        def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+            a = (par.force * inp.command + inp.load - par.stiffness * (x.motor_position - x.position)) / par.motor
+            v = x.motor_velocity + clock.dt * a
+            w = x.velocity + clock.dt * par.stiffness * (x.motor_position - x.position) * par.mobility_value
+            p, q = x.motor_position + clock.dt * v, x.position + clock.dt * w
+            return (x.force_1, x.force_2, x.force_3, p, v, q, w), (q, w, (w - x.velocity) / clock.dt, p, v)
+
+    with pytest.raises(ComponentError, match="mobility_value"):
+        cl.check_component(Elsewhere)
+
+
 def test_a_state_that_counts_in_ticks_has_margins_but_no_model_in_time() -> None:
     class Late(Mass):
         """A mass under the command of the tick before."""
