@@ -84,8 +84,9 @@ def _checked(kind: type[Component], jit: bool) -> tuple[str, ...]:
         check_learning(part)
         return DECLARED, "corrections of a trial"
     graph_of(subject(part)[0])
+    linear = _check_linear(kind, part)
     plain = [_check_running(part, scale, jit) for scale in SCALES]
-    linear, passive = _check_linear(kind, part), _check_passive(kind, part)
+    passive = _check_passive(kind, part)
     _check_effects(part, plain, jit)
     checks = {
         DECLARED: True,
@@ -101,9 +102,10 @@ def _checked(kind: type[Component], jit: bool) -> tuple[str, ...]:
 
 def subject(part: Any) -> tuple[Step, dict[str, Any], dict[str, Any]]:
     """Return step, parameter values and tables of a component; a plant gets a friction, and a friction a plant."""
-    values = part.block(PERIOD)
+    period = _period(part)
+    values = part.block(period)
     if part.family in ("plant", "friction"):
-        return _linked(part, values)
+        return _linked(part, values, period)
     if part.family == "estimator":
         from contourlab.geometry import contour
         from contourlab.geometry.view import view_of
@@ -113,28 +115,33 @@ def subject(part: Any) -> tuple[Step, dict[str, Any], dict[str, Any]]:
     return part.make_step(2), values, part.table_values()
 
 
-def _linked(part: Any, values: dict[str, Any]) -> tuple[Step, dict[str, Any], dict[str, Any]]:
+def _period(part: Any) -> float:
+    """Return the period: as short as a plant asks for, with the numbers of its example."""
+    return PERIOD / (type(part)(**part.example).fewest_substeps(PERIOD)[0] if part.family == "plant" else 1)
+
+
+def _linked(part: Any, values: dict[str, Any], period: float) -> tuple[Step, dict[str, Any], dict[str, Any]]:
     from contourlab.components.mechanics.core import friction_prefix, link
     from contourlab.components.registry import component
 
     if part.family == "plant":
         rubs = not part.steps_itself or part.mobilities()
         friction = component("friction", "smooth-coulomb")(coulomb=0.1, breakaway=0.2) if rubs else component("friction", "none")()
-        rubbing = {f"{friction_prefix(part)}{row}": value for row, value in friction.block(PERIOD).items()}
+        rubbing = {f"{friction_prefix(part)}{row}": value for row, value in friction.block(period).items()}
         return link(part, friction), values | rubbing, part.table_values()
     # A plant that overcomes the largest force against a slow motion.
     par, resistance = part.constants(), part.level if part.law == "bristle" else getattr(part, "force", None)
     size = max(1.0, *(float(part.held(par) if resistance is None else resistance(par, speed)) for speed in SLOW))
     plant = component("plant", "mass-damper")(mass=2.0 * size, force_constant=3.0 * size)
-    return link(plant, part), plant.block(PERIOD) | values, {}
+    return link(plant, part), plant.block(period) | values, {}
 
 
 def _group(part: Component, jit: bool, width: int = 1, step: Step | None = None) -> tuple[Group, list[int]]:
     """Return a group of a component alone, and the rows of its outputs."""
-    own, values, tables = subject(part)
+    (own, values, tables), period = subject(part), _period(part)
     step = step or own
     wires = {port.name: f"in.{port.name}" for port in step.inputs}
-    schedule = Schedule((Node("part", step, wires, values, tables, ring_length=part.ring_length(PERIOD)),), step.inputs, PERIOD, 1)
+    schedule = Schedule((Node("part", step, wires, values, tables, ring_length=part.ring_length(period)),), step.inputs, period, 1)
     outputs = [schedule.row(f"part.{port.name}") + i for port in step.outputs for i in range(port.rows)]
     return make_group(schedule, width, slice(0, width), jit), outputs
 
@@ -358,7 +365,15 @@ def _check_linear(kind: type[Component], part: Component) -> bool:
         from contourlab.components.mechanics.core import link
         from contourlab.components.registry import component
 
-        part = part.linear()
+        plant: Any = part
+        for mobility in plant.mobilities() if plant.steps_itself else ():
+            pushed = float(model.c[model.outputs.index("velocity")] @ model.b[:, model.inputs.index("load")])
+            if not abs(pushed - mobility) <= 0.01 * abs(mobility):
+                message = (
+                    f"its mobility_value is {mobility:.4g}, but a load accelerates the mass of its velocity by {pushed:.4g} m/s^2 per force"
+                )
+                raise fault(kind, message, kind.derive)
+        part = plant.linear()
         step = link(part, component("friction", "none")())
     if wrong := _linear_fault(model, step, part):
         raise fault(kind, f"its linear model differs from its step: {wrong}", kind.linearize)

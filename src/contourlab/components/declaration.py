@@ -165,6 +165,8 @@ def _check_ports(kind: type[Component]) -> None:
     if kind.family == "plant":
         plant: Any = kind
         wanted = (*wanted, *(("motor_position", "motor_velocity") if plant.two_sided else ()), plant.measured)
+        if plant.two_sided and plant.measured == "motor_position":
+            raise fault(kind, 'the sensor of a two-sided plant is at its load: leave out measured, and write feedback = "motor" in files')
     if family.either and any(name in gives for name in wanted):
         wanted = tuple(name for name in wanted if name in gives)
     for what, names, needed in (("inputs", takes, () if family.chooses else family.inputs), ("outputs", gives, wanted)):
@@ -213,7 +215,8 @@ def _check_parameter(kind: type[Component], name: str, parameter: Parameter) -> 
         raise fault(kind, f"parameter {name} has no doc: write one")
     filled = parameter.for_plant("full_scale", "full_scale")
     try:
-        if not same_dimension(filled.unit, filled.display):
+        # A turn and a radian have one dimension, and no factor between Hz and rad/s.
+        if not same_dimension(filled.unit, filled.display) or ("Hz" in filled.unit) != ("Hz" in filled.display):
             raise fault(kind, f"parameter {name} has the unit {parameter.unit!r}, but the display unit {parameter.display!r}")
         if in_si(1.0, filled.unit) != 1.0:
             raise fault(kind, f"parameter {name} has the unit {parameter.unit!r}: write an SI unit, and the unit of files as `display`")

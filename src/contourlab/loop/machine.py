@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import Literal, TypeAlias
+from typing import Any, Literal, TypeAlias
 
 import numpy as np
 
 from contourlab.arrays import Array, ByValue
-from contourlab.components.contract import Component
+from contourlab.components.contract import Component, fault
 from contourlab.components.controller.position import PositionController
 from contourlab.components.drive.saturation import Saturation
 from contourlab.components.families import ESTIMATES
@@ -371,12 +371,12 @@ class Machine:
         """Raise if a loaded plant is known by its response only: its moved mass is unknown."""
         carried = self.carried_mass(axis.name)
         if carried and not axis.plant.knows_mass:
-            bound = f"a plant with a mass, because the axis carries {carried:g} kg; or delete stage_mass"
+            bound = f"a plant with a carried_mass, because the axis carries {carried:g} kg; or delete stage_mass"
             raise ParameterError(f"axes.{axis.name}.plant", f'"{axis.plant.kind}"', bound)
         below = self.axis(axis.mounted_on).plant if axis.mounted_on and axis.alignment else axis.plant
         for plant in (axis.plant, below):
-            if axis.alignment and not (plant.knows_mass and plant.force_unit == "N"):
-                bound = f'0 with a "{plant.kind}" plant, which has no mass'
+            if axis.alignment and not ({"mass", "carried_mass"}.issubset((*plant.numeric(), *plant.derived)) and plant.force_unit == "N"):
+                bound = f'0 with a "{plant.kind}" plant, which has no mass and carried_mass'
                 raise ParameterError(f"axes.{axis.name}.alignment", f"{axis.alignment:g}", bound)
 
     def _check_step(self, axis: Axis) -> None:
@@ -387,7 +387,10 @@ class Machine:
                 why = "takes no friction at its motor" if slot == "motor_friction" else 'names no "mobility_value" of its load'
                 bound = f'"none": a {plant.kind} {why}; or put the friction into its step'
                 raise ParameterError(f"axes.{axis.name}.{slot}", f'"{friction.kind}"', bound)
-        wanted, why = plant.fewest_substeps(self.servo_period)
+        asked: Any = plant.fewest_substeps(self.servo_period)
+        if not (isinstance(asked, tuple) and len(asked) == 2):
+            raise fault(type(plant), f"fewest_substeps returns {asked!r}: write a number and the reason", type(plant).fewest_substeps)
+        wanted, why = asked
         refuse(axis.substeps < wanted, ParameterError, f"axes.{axis.name}.substeps", f"{axis.substeps}", f"at least {wanted} for {why}")
         for friction, mobility in zip((axis.friction, axis.motor_friction), () if plant.steps_itself else plant.mobilities(), strict=False):
             steepest = getattr(type(friction), "steepest", None)

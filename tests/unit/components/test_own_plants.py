@@ -15,6 +15,7 @@ from scipy.linalg import expm
 import contourlab as cl
 from contourlab.analysis.linear.sampled_loop import lane_loops, sampled_loop
 from contourlab.components.controller.pid import PID
+from contourlab.components.drive.saturation import DelayedSaturation
 from contourlab.components.friction.laws import Coulomb, LuGre, NoFriction, SmoothCoulomb
 from contourlab.components.mechanics.core import link
 from contourlab.components.plant.plant import MassDamper, resonance_of
@@ -299,6 +300,97 @@ def test_what_a_plant_does_not_declare_is_refused() -> None:
     with refuses(ParameterError, "flexible", name="axes.x.motor_friction"):
         machine(PLANT, motor_friction=FRICTIONS[0])
     assert isinstance(machine(Closed(mass=2.0)).axes[0].friction, NoFriction)
+
+
+def test_outputs_are_those_at_the_end_of_the_step() -> None:
+    class Early(Mass):
+        """A mass whose step gives what it was."""
+
+        kind = "early"
+
+        @staticmethod
+        def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+            after, out = Mass.step(par, x, inp, clock)
+            return after, (x.position, x.velocity, out[2])
+
+    for use in (Early(mass=20.0).linearize, lambda: cl.check_component(Early)):
+        with pytest.raises(ComponentError, match="at the begin of the step"):
+            use()
+
+
+def test_friction_acts_where_the_load_pushes() -> None:
+    class Elsewhere(Flexible):
+        """A plant whose load pushes the motor, while it tells the mobility of the table."""
+
+        kind = "elsewhere"
+
+        @staticmethod
+        def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+            a = (par.force * inp.command + inp.load - par.stiffness * (x.motor_position - x.position)) / par.motor
+            v = x.motor_velocity + clock.dt * a
+            w = x.velocity + clock.dt * par.stiffness * (x.motor_position - x.position) * par.mobility_value
+            p, q = x.motor_position + clock.dt * v, x.position + clock.dt * w
+            return (x.force_1, x.force_2, x.force_3, p, v, q, w), (q, w, (w - x.velocity) / clock.dt, p, v)
+
+    with pytest.raises(ComponentError, match="mobility_value"):
+        cl.check_component(Elsewhere)
+
+
+def test_a_state_that_counts_in_ticks_has_margins_but_no_model_in_time() -> None:
+    class Late(Mass):
+        """A mass under the command of the tick before."""
+
+        kind = "late"
+        states = ports("position", "velocity", "last")
+
+        @staticmethod
+        def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+            a = (60.0 * x.last + inp.load) * par.mobility_value
+            v = x.velocity + clock.dt * a
+            p = x.position + clock.dt * (x.velocity + 0.5 * clock.dt * a)
+            return (p, v, inp.command), (p, v, a)
+
+    assert Late(mass=20.0).linearize() is None and "linear model agrees with the step" not in cl.check_component(Late)
+    late, controller = DelayedSaturation(delay=PERIOD), cl.AxisController(LAW)
+    axes = cl.Axis("x", Late(mass=20.0)), cl.Axis("x", Mass(mass=20.0), drive=late)
+    found, wanted = (sampled_loop(axis, controller, PERIOD).margins() for axis in axes)
+    assert (found.gain, found.phase, found.modulus) == pytest.approx((wanted.gain, wanted.phase, wanted.modulus), rel=1e-9)
+
+
+def test_it_is_checked_at_the_sub_steps_that_it_asks_for() -> None:
+    class Stiff(Flexible):
+        """An actuator too fast for one step."""
+
+        kind = "stiff"
+        example = {**Flexible.example, "bandwidth": 9000.0}
+
+        def fewest_substeps(self, dt: float) -> tuple[int, str]:
+            return int(np.ceil(np.max(dt * np.asarray(self.bandwidth)))), "the actuator"
+
+    assert f"every parameter has an effect ({len(Stiff.parameters)})" in cl.check_component(Stiff)
+    with refuses(ParameterError, "9", name="axes.x.substeps"):
+        machine(Stiff(**Stiff.example))
+    Stiff.fewest_substeps = lambda self, dt: 9  # type: ignore
+    with pytest.raises(ComponentError, match="fewest_substeps returns 9"):
+        machine(Stiff(**Stiff.example))
+
+
+def test_the_load_has_the_sensor_of_a_plant_with_two_sides() -> None:
+    class Turned(Flexible):
+        """A plant whose table would have the scale of its motor."""
+
+        kind = "turned"
+        measured = "motor_position"
+
+    with pytest.raises(ComponentError, match="leave out measured"):
+        cl.check_component(Turned)
+
+
+def test_axes_at_an_angle_need_the_moved_mass() -> None:
+    lower, upper = cl.Axis("x", PLANT, substeps=4), cl.Axis("y", PLANT, mounted_on="x", stage_mass=9.0, substeps=4)
+    assert cl.Machine("m", (lower, upper), PERIOD).loaded_plant("x").carried_mass == 9.0
+    with refuses(ParameterError, "flexible", name="axes.y.alignment"):
+        cl.Machine("m", (lower, replace(upper, alignment=0.1)), PERIOD)
 
 
 def test_a_run_measures_what_the_plant_says() -> None:

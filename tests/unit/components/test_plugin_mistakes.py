@@ -61,6 +61,7 @@ IN_A_CLASS = [
     (("controller", "minimum=0.0", "minimum=3.0, maximum=1.0"), GAIN, "at most the maximum"),
     (("controller", ', doc="gain"', ""), GAIN, "'doc'"),
     (("controller", 'doc="gain"', 'doc=""'), CLASS, "no doc"),
+    (("controller", 'unit="{command}/m"', 'unit="rad/s", display="Hz"'), CLASS, "display unit"),
     (("controller", "param(unit", 'param(default="2", unit'), CLASS, "default of gain"),
     (("controller", "param(unit", "param(default=-2.0, unit"), CLASS, "default of gain"),
     (("controller", 'param(unit="{command}/m", minimum=0.0, doc="gain")', "2.0"), CLASS, "no parameter 'gain'"),

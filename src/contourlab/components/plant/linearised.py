@@ -62,23 +62,38 @@ def tick_matrix(plant: Any, par: Any, dt: float) -> Array:
     jumps = np.abs(fine) - np.abs(coarse) > UNEVEN * np.abs(fine) + floor
     if (jumps | ((half_bent > 0.75 * bent) & (bent > BENT * np.abs(fine) + floor))).any():
         raise ComponentError(f"a {plant.kind} is not smooth at rest, so it has no linear model: write its `linear`")
-    return np.asarray(fine + (fine - coarse) / 3.0)
+    whole, places = (
+        np.asarray(fine + (fine - coarse) / 3.0),
+        [port.name for port in (*step.states, *step.outputs) for _ in range(port.rows)],
+    )
+    for place, name in enumerate(places[:n]):
+        begin = np.eye(at.size)[place]
+        if name in places[n:] and (whole[places.index(name, n)] == begin).all() and (whole[place] != begin).any():
+            raise ComponentError(f"the output {name} of a {plant.kind} is that at the begin of the step: give the one at its end")
+    return whole
 
 
 def _record(ports: tuple[Port, ...], values: list[float]) -> Any:
     return record(tuple(port.name for port in ports))(*unpack(ports, values)) if ports else ()
 
 
-def continuous_model(plant: Any) -> LinearModel:
-    """Return the model in continuous time from which the step, with command and load held, follows."""
-    from scipy.linalg import logm
+def continuous_model(plant: Any) -> LinearModel | None:
+    """Return the model in continuous time from which the step, with command and load held, follows.
 
+    None if a state counts in ticks, as one that keeps the last command: it fades over the shortest step.
+    """
     par = SimpleNamespace(**plant.block(BRIEF))
     step, whole = plant.make_step(), tick_matrix(plant, par, BRIEF)
     n, m = rows(step.states), rows(step.inputs)
+    if np.abs(np.linalg.eigvals(whole[:n, :n]) - 1.0).max(initial=0.0) > 0.1:
+        return None
     held = np.eye(n + m)
     held[:n] = whole[:n]
-    model = np.real(logm(held))[:n] / BRIEF
+    # The series of log(1 + x): unlike `logm` it keeps the digits of each entry, however small.
+    one, model = np.eye(n + m), np.zeros((n + m, n + m))
+    for k in range(16, 0, -1):
+        model = (held - one) @ (one / k - model)
+    model = model[:n] / BRIEF
     # Outputs are those at the end of the step.
     told = [port.name for port in step.outputs if port.name.endswith(("position", "velocity")) or port.name == plant.measured]
     names = [port.name for port in step.outputs for _ in range(port.rows)]

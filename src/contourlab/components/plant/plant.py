@@ -20,13 +20,13 @@ class Plant(Component):
     """Base of plants: one mass, or several in series; of a plant of any shape, with a `step` of its own.
 
     Such a plant has states of its own and moves to the end of the step, under the inputs `command` and `load`. Its outputs `position`,
-    `velocity` and `acceleration` are those of the axis; it may add a `motor_position` and `motor_velocity`, and what the sensor reads.
+    `velocity` and `acceleration` are those of the axis then; it may add a `motor_position` and `motor_velocity`, and what the sensor reads.
     The machine's friction acts on it if it has a constant ``mobility_value``: `load` then pushes the mass whose velocity it gives.
 
     Attributes
     ----------
     measured : str
-        The output that the sensor of the axis reads.
+        The output that the sensor of the axis reads; of a plant with two sides not that of the motor, which has a sensor of its own.
     command_unit, force_unit : str
         Units of the command that drives it and of the forces on it.
     two_sided : bool
