@@ -373,3 +373,10 @@ def test_a_run_states_both_times(tmp_path: Path) -> None:
     decided = [found for found in answer.outcomes[0].findings if found.code == "CL231"]
     assert len(decided) == 1 and decided[0].values["time"] == pytest.approx(2.0 * decided[0].values["planned"], rel=0.01)
     assert answer.outcomes[0].metrics.cycle_time == pytest.approx(decided[0].values["time"], abs=2e-3)
+    # What is quicker than its plan breaks the limits of the plan.
+    scenario.write_text(SCENARIO.replace('"test-half"', '"test-half", rate = 1.5'), encoding="utf-8")
+    hasty = cl.run(str(scenario)).outcomes[0]
+    (beyond,) = (found for found in hasty.findings if found.code == "CL232")
+    planned = cl.limit_report(hasty.case.reference(), hasty.machine.planner_limits())
+    assert beyond.values["use"] == pytest.approx(1.5**3 * max(worst.ratio for worst in planned.jerk), rel=0.02)
+    assert not any(found.code == "CL232" for found in answer.outcomes[0].findings)
