@@ -15,6 +15,7 @@ import contourlab as cl
 from contourlab.components.contract import Component, param
 from contourlab.engine.step import Port
 from contourlab.errors import ComponentError, DivergenceError, ParameterError
+from contourlab.features.run.verdict import judged_run
 from contourlab.primitives import fabs, select
 
 RADIUS = 5e-3
@@ -277,6 +278,16 @@ def test_what_looks_ahead_sees_where_the_motion_will_be() -> None:
     loop.step(960, rate=0.5)
     # With planned ticks in place of real ones they are 225 um apart.
     assert np.abs(loop.result()["axis_position"] - slow["axis_position"][:960]).max() < 2e-8
+
+
+def test_advice_about_a_slower_plan_is_judged_by_what_was_followed(planned: cl.Reference) -> None:
+    machine, controller = stage(), coupled(Slowing(error=5e-6))
+    slower = cl.plan(cl.route_from_path(planned.path, 0.03), limited().planner_limits(), PERIOD)
+    judged, sample = judged_run(machine, controller, slower)
+    run = cl.simulate(machine, controller, slower)
+    figures = cl.summarise(cl.judge(run, run.motion), run.motion)
+    assert judged.motion is not None and judged.motion.digest == run.motion.digest != slower.digest
+    assert abs(judged["part_error"][sample]) == figures.part_error.max
 
 
 def test_a_motion_that_does_not_end_fails(planned: cl.Reference) -> None:
