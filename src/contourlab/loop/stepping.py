@@ -210,8 +210,8 @@ class Loop:
         ParameterError
             If it is not one; that of another loop has the parameters of its machine.
         """
-        own = isinstance(saved, tuple) and saved[:1] == (self._group,)
-        refuse(not own, ParameterError, "saved", "of another loop", "a snapshot of this loop")
+        own = isinstance(saved, tuple) and saved[0] is self._group
+        refuse(not own, ParameterError, "saved", "another thing, or of another loop", "a snapshot of this loop")
         _, self.tick, self.status, self._past, (self._group.tick, memory) = saved
         self._group.memory[:] = memory
 
