@@ -66,7 +66,7 @@ PORTS = {
     "reference": ("m", "reference position; for controller and supervisor with all that is added to it"),
     "reference_velocity": ("m/s", "velocity of the reference"),
     "reference_acceleration": ("m/s^2", "acceleration of the reference"),
-    "reference_ahead": ("m", "reference position `ahead(dt)` ticks later"),
+    "reference_ahead": ("m", "reference position `ahead(dt)` ticks later, at the present rate"),
     "reference_shift": ("m", "is added to the reference of the controller"),
     "modified_reference": ("m", "replaces the reference of all axes"),
     "command": ("command", "command to the drive; of a feedforward or compensation, is added to it"),

@@ -264,8 +264,8 @@ def simulate_blocks(
     compiled = jit_enabled(jit)
     feed = Feed(machine, controller, reference, learned, sampler(compiled), deciding=True)
     given: dict[str, Any] = {"view": view, "seed": seed, "trial": trial, "fed": feed.names}
-    if feed.decides:
-        given["motion"] = motion_node(feed, Late(f"coupling.{RATE}"))
+    if feed.decides:  # it ends long before the most samples
+        given["motion"], block = motion_node(feed, Late(f"coupling.{RATE}")), min(block, BLOCK // 8)
     loop = build(machine, controller, reference.path, **feed.first(block, moving=moving), **given)
     group = make_group(loop.schedule, 1, slice(0, 1), compiled)
     due = prepared(changes, machine, controller, reference, given, compiled)

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from contourlab.arrays import Array
 from contourlab.engine.runner import make_group
 from contourlab.engine.step import Late
-from contourlab.errors import ParameterError, refuse
+from contourlab.errors import ParameterError, refuse, refused
 from contourlab.feed import Reference
 from contourlab.geometry.view import PathView, check_view
 from contourlab.loop.feeding import LEARNED_COMMAND, LEARNED_REFERENCE, PLANNED_TIME, RATE, Feed
@@ -57,7 +57,7 @@ class Loop:
     view : PathView, optional
         As of `simulate`.
     moving : bool
-        Whether the axes start with the velocity of the reference instead of at rest.
+        Whether the axes start with the velocity of the reference, at rate 1, instead of at rest.
 
     Attributes
     ----------
@@ -104,6 +104,7 @@ class Loop:
         if values:
             machine, controller = with_values(machine, controller, values)
         check_view(view, reference.path)
+        inputs = (inputs,) if isinstance(inputs, str) else inputs
         for name in inputs:
             refuse(name not in _INPUTS, ParameterError, "inputs", repr(name), "one of " + ", ".join(_INPUTS))
         compiled = jit_enabled(jit)
@@ -177,8 +178,9 @@ class Loop:
             if value is None:
                 continue
             refuse(name not in self._inputs, ParameterError, name, "given", f"one of the inputs of the loop: Loop(..., inputs=({name!r},))")
-            given = np.asarray(value, dtype=float)
             wanted = f"{'one number' if name == RATE else f'{self._n_axis} numbers'}, finite{' and >= 0' if name == RATE else ''}"
+            with refused(name, value, wanted):
+                given = np.asarray(value, dtype=float)
             good = given.shape == (() if name == RATE else (self._n_axis,)) and bool(np.isfinite(given).all())
             refuse(not good or (name == RATE and given < 0.0), ParameterError, name, str(value), wanted)
             fed[self._inputs[name]] = given
@@ -188,8 +190,7 @@ class Loop:
             self.status = watched(self._group, self.machine)
         elif not self._group.finite().all():
             self.status = first_non_finite(self._group, saved, held, self.tick)
-        ended = np.flatnonzero(log[:, self._places[PLANNED_TIME]] >= planned_end(self.reference))
-        count = len(log) if not ended.size else int(ended[0]) + 1
+        count = min(len(log), int(np.searchsorted(log[:, self._places[PLANNED_TIME]], planned_end(self.reference))) + 1)
         if not self.status.ok and self.status.sample < self.tick + count:
             count = self.status.sample + 1 - self.tick
         else:
@@ -199,11 +200,19 @@ class Loop:
 
     def snapshot(self) -> Any:
         """Return all that the loop is and has done, for `restore`; it stays valid whatever the loop does."""
-        return self.tick, self.status, self._past, self._group.snapshot()
+        return self._group, self.tick, self.status, self._past, self._group.snapshot()
 
     def restore(self, saved: Any) -> None:
-        """Go back to a snapshot of this loop."""
-        self.tick, self.status, self._past, (self._group.tick, memory) = saved
+        """Go back to a snapshot of this loop.
+
+        Raises
+        ------
+        ParameterError
+            If it is not one; that of another loop has the parameters of its machine.
+        """
+        own = isinstance(saved, tuple) and saved[0] is self._group
+        refuse(not own, ParameterError, "saved", "another thing, or of another loop", "a snapshot of this loop")
+        _, self.tick, self.status, self._past, (self._group.tick, memory) = saved
         self._group.memory[:] = memory
 
     def _logs(self) -> Iterator[Array]:

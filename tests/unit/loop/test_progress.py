@@ -15,6 +15,7 @@ import contourlab as cl
 from contourlab.components.contract import Component, param
 from contourlab.engine.step import Port
 from contourlab.errors import ComponentError, DivergenceError, ParameterError
+from contourlab.features.run.verdict import judged_run
 from contourlab.primitives import fabs, select
 
 RADIUS = 5e-3
@@ -249,8 +250,44 @@ def test_judged_samples_are_those_of_the_plan() -> None:
     motion, lines = run.motion, planned.source_line(run["arc_length"])
     assert motion.judged.basis == planned.judged.basis and len(motion.judged.ranges) == len(planned.judged.ranges) == 2
     for (start, stop), (first, last), line in zip(motion.judged.ranges, planned.judged.ranges, (2, 4), strict=True):
-        assert run["planned_time"][start] >= (first - 1e-6) * PERIOD and (start == 0 or run["planned_time"][start - 1] < first * PERIOD)
+        # The first sample after the last one of the rapid before.
+        assert run["planned_time"][start] > (first - 1) * PERIOD and (start == 0 or run["planned_time"][start - 1] <= (first - 1) * PERIOD)
         assert stop - start > last - first and set(lines[start + 1 : stop - 1]) == {line}
+
+
+def test_a_reversal_between_moves_counts_as_in_the_plan() -> None:
+    program = cl.parse_program("G21 G90 G94 G17\nG1 X5 F2000\nG0 X2\nG1 X6\nM2\n")
+    planned = cl.plan(cl.route_from_program(program, ("x", "y")), limited().planner_limits(), PERIOD)
+    for rate in (1.0, 0.73, 1.19):
+        loop = cl.Loop(limited(), control(), planned, inputs=("rate",))
+        while not loop.done:
+            loop.step(100, rate=rate)
+        run = loop.result()
+        (_, stop), (start, _) = run.motion.judged.ranges
+        moving = np.flatnonzero(run["reference_velocity"][:, 0])
+        turns = moving[1:][np.diff(np.sign(run["reference_velocity"][moving, 0])) != 0.0]
+        assert len(turns) == 2 and stop <= turns[0] < stop + 3 and start <= turns[1] < start + 3, rate
+
+
+def test_what_looks_ahead_sees_where_the_motion_will_be() -> None:
+    circle, smooth = cl.contour("circle", radius=RADIUS), stage(friction=make("friction", "none"), sensor=make("sensor", "ideal"))
+    lead = make("feedforward", "zpetc", numerator=(1.0,), denominator=(1.0,), lead=30)
+    leading = replace(control(), axes={name: replace(axis, feedforward=lead) for name, axis in control().axes.items()})
+    slow = cl.simulate(smooth, leading, cl.uniform(circle, 1.0, 1, PERIOD))
+    loop = cl.Loop(smooth, leading, cl.uniform(circle, 2.0, 1, PERIOD), inputs=("rate",))
+    loop.step(960, rate=0.5)
+    # With planned ticks in place of real ones they are 225 um apart.
+    assert np.abs(loop.result()["axis_position"] - slow["axis_position"][:960]).max() < 2e-8
+
+
+def test_advice_about_a_slower_plan_is_judged_by_what_was_followed(planned: cl.Reference) -> None:
+    machine, controller = stage(), coupled(Slowing(error=5e-6))
+    slower = cl.plan(cl.route_from_path(planned.path, 0.03), limited().planner_limits(), PERIOD)
+    judged, sample = judged_run(machine, controller, slower)
+    run = cl.simulate(machine, controller, slower)
+    figures = cl.summarise(cl.judge(run, run.motion), run.motion)
+    assert judged.motion is not None and judged.motion.digest == run.motion.digest != slower.digest
+    assert abs(judged["part_error"][sample]) == figures.part_error.max
 
 
 def test_a_motion_that_does_not_end_fails(planned: cl.Reference) -> None:
@@ -312,12 +349,17 @@ def test_wrong_use_is_refused(lap: cl.Reference) -> None:
         {"rate": (1.0, 1.0)},
         {"command": 0.0},
         {"command": (0.0, np.inf)},
+        {"rate": "fast"},
+        {"command": [[1.0], [1.0, 2.0]]},
         {"n": 0},
         {"n": 1.5},
     ]
     for arguments in wrong:
         with refuses(ParameterError, name=next(iter(arguments))):
             loop.step(**arguments)
+    for other in (cl.Loop(stage(), control(), lap, inputs="rate").snapshot(), None):  # one name may be given alone
+        with refuses(ParameterError, name="saved"):
+            loop.restore(other)
     with refuses(ParameterError, name="signal"):
         loop.step() and loop["speed"]
     loop.step(lap.n_sample)
@@ -342,3 +384,10 @@ def test_a_run_states_both_times(tmp_path: Path) -> None:
     decided = [found for found in answer.outcomes[0].findings if found.code == "CL231"]
     assert len(decided) == 1 and decided[0].values["time"] == pytest.approx(2.0 * decided[0].values["planned"], rel=0.01)
     assert answer.outcomes[0].metrics.cycle_time == pytest.approx(decided[0].values["time"], abs=2e-3)
+    # What is quicker than its plan breaks the limits of the plan.
+    scenario.write_text(SCENARIO.replace('"test-half"', '"test-half", rate = 1.5'), encoding="utf-8")
+    hasty = cl.run(str(scenario)).outcomes[0]
+    (beyond,) = (found for found in hasty.findings if found.code == "CL232")
+    planned = cl.limit_report(hasty.case.reference(), hasty.machine.planner_limits())
+    assert beyond.values["use"] == pytest.approx(1.5**3 * max(worst.ratio for worst in planned.jerk), rel=0.02)
+    assert not any(found.code == "CL232" for found in answer.outcomes[0].findings)

@@ -29,7 +29,7 @@ from contourlab.features.run.trust import about_guesses, part_interval
 from contourlab.features.run.verdict import verdict
 from contourlab.feed import LimitReport, Reference, limit_report
 from contourlab.feed.planner import NEAR_FEED
-from contourlab.feed.verify import Worst
+from contourlab.feed.verify import KINDS, Worst
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Machine
 from contourlab.loop.feeding import Feed
@@ -403,6 +403,9 @@ def _remarks(case: Case, reference: Reference, foretold: LearningAnalysis | None
         yield from modes.findings(case.feed.default_tolerance(case.machine.own_planner))
     if reference.decided:
         yield finding("CL231", time=reference.duration, planned=case.reference().duration)
+        if (report := limits_of(case, reference)) is not None and not report.ok():
+            kind, worst = max(((k, w) for k, of in zip(KINDS, report.kinds, strict=True) for w in of), key=lambda found: found[1].ratio)
+            yield finding("CL232", kind=kind, axis=case.machine.axis_names[worst.axis], use=worst.ratio, time=worst.time)
     last = reference.n_sample * reference.servo_period
     for change in case.changes:
         if change.sample(reference.servo_period) >= reference.n_sample:

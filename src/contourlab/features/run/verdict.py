@@ -161,8 +161,9 @@ def judged_run(machine: Machine, controller: Controller, reference: Reference, r
     run = rerun(machine, controller, reference, signals=("tool_position", "reference", "arc_length", "reference_velocity"))
     if not run.status.ok:
         raise diverged(run)
-    judged = judge(run, reference)
-    return judged, largest(judged, "part_error", judged_part(judged, reference))[1]
+    motion = run.motion or reference  # where the loop decides the progress, what it has followed
+    judged = judge(run, motion)
+    return judged, largest(judged, "part_error", judged_part(judged, motion))[1]
 
 
 def advice(
@@ -223,7 +224,7 @@ def _trials(
         with suppress(ContourlabError):
             reference = plan()
             judged, sample = judged_run(machine, controller, reference, rerun)
-            return Trial((*before.changes, name), controller, reference, float(abs(judged["part_error"][sample])))
+            return Trial((*before.changes, name), controller, judged.motion or reference, float(abs(judged["part_error"][sample])))
         return None
 
     changes = [(name, before.controller, plan) for name, plan in plans.items()]
