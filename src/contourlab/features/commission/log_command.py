@@ -152,7 +152,7 @@ def _axis(record: AxisRecord, settings: OfLog) -> tuple[LoggedAxis, list[Finding
         if unknown := [FIGURES[name][0] for name in DETERMINED if name not in figures]:
             findings.append(finding("CL941", place, parameters=unknown))
     except ParameterError as error:
-        findings.append(finding("CL942", place, reason=str(error)))
+        findings.append(finding("CL942", place, reason=error.bound))
     findings += [] if reverses(record) else [finding("CL593", place)]
     return LoggedAxis(figures, stays, terms_of_log(settings.for_, figures)), findings
 

@@ -20,6 +20,7 @@ import numpy as np
 
 from contourlab.analysis.identification.least_squares import FADED, PARTS, Free, OutputFit, fit_output, memory, parted
 from contourlab.arrays import Array
+from contourlab.errors import ParameterError, refuse
 from contourlab.features.commission.identification import LEAST
 from contourlab.features.identify.position_loop import counting, reverses, run_in
 from contourlab.features.identify.records import AxisRecord
@@ -197,6 +198,8 @@ def fit_servo(record: AxisRecord, balanced: bool, proportional: bool, known: Kno
     asked, loop = record.asked(), _Loop(record)
     measured, speed = loop.counted(asked - record.position), loop.counted(np.gradient(asked, record.period))
     overall = float(speed @ measured / (speed @ speed))
+    behind = "one whose position comes behind its reference: the columns may be exchanged"
+    refuse(overall < -2.0 * record.period, ParameterError, "log", record.axis, behind)
     free = {
         "Kv": Free(20.0, 0.5, 0.5 / record.period, 10.0),
         "following_time": Free(overall, -2.0 * record.period, 2.0, 1e-3),

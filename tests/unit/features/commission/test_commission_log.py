@@ -181,6 +181,12 @@ def test_one_velocity_determines_no_loop(tmp_path: Path) -> None:
     assert {"CL940", "CL593"} < {finding.code for finding in answer.findings}
 
 
+def test_exchanged_columns_give_no_loop(tmp_path: Path) -> None:
+    position, _ = cascade(reference := moves())
+    answer = cl.commission.log(written(tmp_path / "log.csv", position, reference))
+    assert "CL942" in {finding.code for finding in answer.findings} and not answer.axes["x"].figures
+
+
 def test_terms_have_the_units_of_their_control() -> None:
     figures = {"Kv": Bounds(25.0, 20.0, 30.0), "velocity_feedforward": Bounds(0.5, 0.4, 0.6), "equivalent_time": Bounds(4e-3, 3e-3, 5e-3)}
     shown = {control: {term.name: term for term in terms_of_log(control, figures)} for control in TERMS}
