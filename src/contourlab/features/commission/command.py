@@ -8,7 +8,7 @@ import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import chain
+from itertools import chain, product
 from pathlib import Path
 from typing import Any, TypeAlias
 
@@ -180,7 +180,9 @@ def commission(ini: str | Path, hal: str | Path, *, settings: LinuxCNC, session:
         bad = {doubt.place.removeprefix("axis ") for doubt in wrong}
         records.append({name: moving(axis) for name, axis in record.items() if name not in bad})
     planned = {} if program is None else planned_commands(program, setup)
-    work = _Work(setup, records, planned, settings, {axis.name: _Axis(axis, axis.loop, axis.row(setup.unit)) for axis in setup.axes})
+    work = _Work(
+        setup, records, planned, settings, {axis.name: _Axis(axis, axis.loop, row_of(axis.gains, setup.unit)) for axis in setup.axes}
+    )
     if all(doubt.code != "CL871" for doubt in findings):
         session.stages().begin("identifying and tuning the axes")
         findings += chain.from_iterable(in_threads(work.identify, [work.axes[axis.name] for axis in setup.closed]))
@@ -348,12 +350,10 @@ class _Work:
     def safe(self, known: Mapping[str, IdentifiedAxis]) -> dict[str, dict[str, float]]:
         """Return the first gains to type in: half the way, or less where the loop would not be stable there."""
         chosen = {}
-        for share in (0.5, 0.25, 0.1):
-            for name, model in known.items():
-                gains = self.axes[name].gains(self.setup.unit, share)
-                row = row_of(gains, self.setup.unit)
-                if name not in chosen and robustly_stable(row[None], model.model, model.law.period)[0]:
-                    chosen[name] = gains
+        for share, (name, model) in product((0.1, 0.25, 0.5), known.items()):
+            gains = self.axes[name].gains(self.setup.unit, share)
+            if robustly_stable(row_of(gains, self.setup.unit)[None], model.model, model.law.period)[0]:
+                chosen[name] = gains
         return chosen
 
 
@@ -406,8 +406,12 @@ def planned_commands(program: Path, setup: Setup) -> dict[str, Array]:
     from contourlab.scenario.values import program_motion
 
     made = read_program(program, reading=Reading(require_end=False))
-    known = {letter: pair for letter in "xyz" if (pair := _limits(setup, letter)) is not None}
-    letters, pairs = list(known), np.array(list(known.values())) * setup.unit
+    keys = {"velocity": "MAX_VELOCITY", "acceleration": "MAX_ACCELERATION"}
+    found: dict[str, Mapping[str, float | None]]
+    found = {a: {name: setup.ini.number(f"AXIS_{a.upper()}", key) for name, key in keys.items()} for a in "xyz"}
+    found |= {axis.name: axis.limits for axis in setup.axes if axis.name in found}
+    known = {a: [values[name] for name in keys] for a, values in found.items() if None not in values.values()}
+    letters, pairs = list(known), np.array(list(known.values()), dtype=float) * setup.unit
     # LinuxCNC speeds up along an arc with half the acceleration.
     straight = [any(not isinstance(move, Arc | Dwell) and move.start[k] != move.end[k] for move in made.moves) for k in range(3)]
     pairs[:, 1] *= [1.0 if straight["xyz".index(letter)] else 0.5 for letter in letters]
@@ -417,15 +421,6 @@ def planned_commands(program: Path, setup: Setup) -> dict[str, Array]:
     position = reference.block(0, reference.n_sample).position
     rest = round(0.2 / setup.period)
     return {letter: np.pad(position[:, k], rest, mode="edge") for k, letter in enumerate(letters)}
-
-
-def _limits(setup: Setup, letter: str) -> tuple[float, float] | None:
-    """Return velocity and acceleration of an axis in machine units; None if the INI file has none."""
-    axis = next((axis for axis in setup.axes if axis.name == letter), None)
-    if axis is not None:
-        return axis.limits["velocity"], axis.limits["acceleration"]
-    values = [setup.ini.number(f"AXIS_{letter.upper()}", key) for key in ("MAX_VELOCITY", "MAX_ACCELERATION")]
-    return None if None in values else (float(values[0] or 0.0), float(values[1] or 0.0))
 
 
 # --- what a person gets: the changes as a diff, the circle before and after, and a page --------------------------------------------

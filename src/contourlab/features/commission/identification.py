@@ -139,8 +139,6 @@ class IdentifiedAxis:
     def noise_like(self, command: Array, seed: int = 0) -> Array:
         """Return noise for a command (n,), drawn from the samples at rest."""
         generator = np.random.default_rng(seed)
-        if not self.noise > 0.0:
-            return np.zeros(command.size)
         if self.rest_noise.size:
             return np.asarray(generator.choice(self.rest_noise, command.size))
         return np.asarray(self.noise * generator.standard_normal(command.size))

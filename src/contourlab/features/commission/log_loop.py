@@ -24,6 +24,7 @@ from contourlab.errors import ParameterError, refuse
 from contourlab.features.commission.identification import LEAST
 from contourlab.features.identify.position_loop import counting, reverses, run_in
 from contourlab.features.identify.records import AxisRecord
+from contourlab.figures import grouped
 from contourlab.native.kernel import kernel
 
 STEP = 5e-4
@@ -268,7 +269,7 @@ def _with_integral(x: Mapping[str, float]) -> dict[str, float]:
 
 def _figures(fits: list[tuple[float, OutputFit]], record: AxisRecord, known: Known | None) -> dict[str, Bounds]:
     """Return figures of all fits, each between the least and the largest that one of them allows."""
-    columns: dict[str, list[tuple[float, float]]] = {}
+    columns = list[tuple[str, tuple[float, float]]]()
     for dead, fit in fits:
         x = {"reset": 0.0} | fit.parameters | ({"Kv": known.gain, "reset": known.reset} if known else {})
         names = [*fit.names, *(["Kv"] if known else [])]
@@ -288,10 +289,9 @@ def _figures(fits: list[tuple[float, OutputFit]], record: AxisRecord, known: Kno
             each["Kv"] = x["Kv"], math.inf
         if "friction_offset" in each:
             each["friction_offset"] = x["friction_offset"], math.hypot(each["friction_offset"][1], LEAST)
-        for name, pair in each.items():
-            columns.setdefault(name, []).append(pair)
+        columns += each.items()
     bounds = {}
-    for name, pairs in columns.items():
+    for name, pairs in grouped(columns).items():
         low, high = min(v - SURE * d for v, d in pairs), max(v + SURE * d for v, d in pairs)
         bounds[name] = Bounds(0.5 * (low + high), low, high)
     return bounds

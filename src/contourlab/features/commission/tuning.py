@@ -83,8 +83,7 @@ class AxisTask:
 
     def traced(self, gains: Array) -> Sequence[tuple[Array, Runs]]:
         """Return the commands and their runs with one set of gains."""
-        lanes = (run_lanes(*pair, gains[None], [self.model], self.law, trace=True) for pair in self.pairs())
-        return list(zip(self.commands, lanes, strict=True))
+        return [(pair[0], run_lanes(*pair, gains[None], [self.model], self.law, trace=True)) for pair in self.pairs()]
 
     def pairs(self) -> Sequence[tuple[Array, Array]]:
         """Return commands with their noises."""
@@ -130,9 +129,8 @@ def shared_delay(axes: Sequence[Moves], period: float) -> float:
     """
     delays = []
     for runs in axes:
-        speeds = [np.gradient(command) / period for command, _ in runs]
-        behind = sum(float(speed @ (command - position)) for speed, (command, position) in zip(speeds, runs, strict=True))
-        delays.append(behind / max(sum(float(speed @ speed) for speed in speeds), 1e-30))
+        speed = np.concatenate([np.gradient(command) / period for command, _ in runs])
+        delays.append(float(speed @ np.concatenate([command - position for command, position in runs])) / max(float(speed @ speed), 1e-30))
     return max(min(delays), 0.0) if len(delays) > 1 else 0.0
 
 

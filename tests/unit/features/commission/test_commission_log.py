@@ -8,8 +8,8 @@ import pytest
 
 import contourlab as cl
 from contourlab.cli.main import main
+from contourlab.features.commission.log_command import TERMS, terms_of_log
 from contourlab.features.commission.log_loop import Bounds
-from contourlab.features.commission.log_terms import TERMS, terms_of_log
 
 PERIOD = 1e-3
 TRUE = {"Kv": 30.0, "velocity_feedforward": 0.6, "equivalent_time": 0.0045}
