@@ -138,9 +138,8 @@ class Commissioned(Answer):
     @property
     def text(self) -> str:
         """Answer, tables, findings and files."""
-        files = "\n".join(f"written: {file}" for file in self.files)
-        tables = (table.text() for table in self.tables)
-        return "\n\n".join(filter(None, [paragraphs(self.answer), *tables, paragraphs(map(str, self.findings)), files]))
+        found, files = paragraphs(map(str, self.findings)), "\n".join(f"written: {file}" for file in self.files)
+        return "\n\n".join(filter(None, [paragraphs(self.answer), *(table.text() for table in self.tables), found, files]))
 
 
 @question(LinuxCNC)
@@ -180,9 +179,8 @@ def commission(ini: str | Path, hal: str | Path, *, settings: LinuxCNC, session:
         bad = {doubt.place.removeprefix("axis ") for doubt in wrong}
         records.append({name: moving(axis) for name, axis in record.items() if name not in bad})
     planned = {} if program is None else planned_commands(program, setup)
-    work = _Work(
-        setup, records, planned, settings, {axis.name: _Axis(axis, axis.loop, row_of(axis.gains, setup.unit)) for axis in setup.axes}
-    )
+    axes = {axis.name: _Axis(axis, axis.loop, row_of(axis.gains, setup.unit)) for axis in setup.axes}
+    work = _Work(setup, records, planned, settings, axes)
     if all(doubt.code != "CL871" for doubt in findings):
         session.stages().begin("identifying and tuning the axes")
         findings += chain.from_iterable(in_threads(work.identify, [work.axes[axis.name] for axis in setup.closed]))
@@ -337,14 +335,13 @@ class _Work:
 
     def _errors(self, moved: Mapping[str, _Axis], *, tuned: bool) -> tuple[float, dict[str, float]]:
         """Return the delay [s] that all axes share, and the largest error [m] of each without it, with tuned gains or else those in use."""
-        chosen = {name: (axis.task, axis.tuned) for name, axis in moved.items() if tuned and axis.task and axis.tuned}
-        moves = {name: axis.before for name, axis in moved.items()} | {name: task.runs(new.gains) for name, (task, new) in chosen.items()}
+        chosen = {name: (axis.task, axis.tuned.gains) for name, axis in moved.items() if tuned and axis.task and axis.tuned}
+        moves = {name: axis.before for name, axis in moved.items()} | {name: task.runs(gains) for name, (task, gains) in chosen.items()}
         period = self.setup.period
         delay = shared_delay(list(moves.values()), period) if len(moves) == len(self.setup.axes) else 0.0
         errors = {name: largest_error(runs, delay, period) for name, runs in moves.items()}
-        for name, (task, new) in chosen.items():
-            started = float(task.switched_on(new.gains[None], task.model)[0])
-            errors[name] = max(errors[name], started) if delay else new.largest
+        for name, (task, gains) in chosen.items():
+            errors[name] = max(errors[name], float(task.switched_on(gains[None], task.model)[0]))
         return delay, errors
 
     def safe(self, known: Mapping[str, IdentifiedAxis]) -> dict[str, dict[str, float]]:
@@ -440,8 +437,7 @@ def changes(setup: Setup, gains: Mapping[str, Mapping[str, float]]) -> str:
     gains : mapping of str to mapping of str to float
         By axis and HAL's name, in machine units. A gain that the files do not set is added only if it changes.
     """
-    lines = {file: _lines(file) for file in (setup.hal, *(place.file for axis in setup.axes for place in axis.places.values()))}
-    added: dict[int, list[str]] = {}
+    lines = {file: _lines(file) or [""] for file in (setup.hal, *(place.file for axis in setup.axes for place in axis.places.values()))}
     for axis in setup.axes:
         for name, value in gains.get(axis.name, {}).items():
             entry = axis.places.get(name)
@@ -450,10 +446,9 @@ def changes(setup: Setup, gains: Mapping[str, Mapping[str, float]]) -> str:
                 head, rest = re.match(r"([^=#]*=\s*|\s*setp\s+\S+\s+)(.*)", line, re.DOTALL).groups()  # type: ignore[union-attr]
                 lines[entry.file][entry.line - 1] = head + rest.replace(entry.value, text_of(value), 1)
             elif entry is None and value != axis.gains[name]:
-                added.setdefault(axis.last or len(lines[setup.hal]), []).append(f"setp {axis.pid}.{name} {text_of(value)}\n")
-    for number in sorted(added, reverse=True):
-        lines[setup.hal][number:number] = added[number]
-    diffs = (difflib.unified_diff(_lines(file), new, f"a/{file.name}", f"b/{file.name}") for file, new in lines.items())
+                lines[setup.hal][axis.last - 1] += f"setp {axis.pid}.{name} {text_of(value)}\n"  # without a setp in the last line
+    changed = {file: "".join(new).splitlines(keepends=True) for file, new in lines.items()}
+    diffs = (difflib.unified_diff(_lines(file), new, f"a/{file.name}", f"b/{file.name}") for file, new in changed.items())
     text = "".join(line for diff in diffs for line in diff)
     return f"{SAFETY}\n{text}" if text else ""
 

@@ -272,18 +272,15 @@ def _figures(fits: list[tuple[float, OutputFit]], record: AxisRecord, known: Kno
     columns = list[tuple[str, tuple[float, float]]]()
     for dead, fit in fits:
         x = {"reset": 0.0} | fit.parameters | ({"Kv": known.gain, "reset": known.reset} if known else {})
-        names = [*fit.names, *(["Kv"] if known else [])]
-        spread = np.diag([*fit.robust_deviations, *([known.deviation] if known else [])])
-        mixed = np.eye(len(names))
-        mixed[: len(fit.names), : len(fit.names)] = fit.correlation
-        covariance = spread @ mixed @ spread
+        spread = dict(zip(fit.names, fit.robust_deviations.tolist(), strict=True)) | ({"Kv": known.deviation} if known else {})
         ahead = 1.0 - x["velocity_feedforward"]
         slopes = {"Kv": ahead / x["Kv"] ** 2, "following_time": 1.0, "velocity_feedforward": 1.0 / x["Kv"]}
-        along = np.array([slopes.get(name, 0.0) for name in names])
-        each = {"reset": (x["reset"], 0.0)} | {name: (x[name], float(spread[i, i])) for i, name in enumerate(names)}
+        late = np.array([slopes.get(name, 0.0) * deviation for name, deviation in spread.items()])
+        mixed, own = late[: len(fit.names)], late[len(fit.names) :]  # what is known of the gain is not of this fit
+        each = {"reset": (x["reset"], 0.0)} | {name: (x[name], deviation) for name, deviation in spread.items()}
         hold = 0.5 * record.period / math.ceil(record.period / STEP)
         each["equivalent_time"] = x["lag"] + dead + hold, math.hypot(each.pop("lag")[1], TICK * record.period)
-        each["delay"] = delay_of(x), math.hypot(math.sqrt(max(float(along @ covariance @ along), 0.0)), TICK * record.period)
+        each["delay"] = delay_of(x), math.sqrt(max(float(mixed @ fit.correlation @ mixed + own @ own), 0.0) + (TICK * record.period) ** 2)
         each["following_time"] = x["following_time"], math.hypot(each["following_time"][1], CLOCK * record.period)
         if {"Kv", "velocity_feedforward"} & {*fit.at_bound}:
             each["Kv"] = x["Kv"], math.inf

@@ -176,7 +176,7 @@ def tune_axis(task: AxisTask, *, unit: float = 1e-3, seed: int = 0) -> TunedAxis
     """
     moves = [(command, noise, restless(command, task.law.period)) for command, noise in task.pairs()]
     lively = [(command[kept], noise[kept]) for command, noise, kept in moves]
-    slower = replace(task.model, delay=max(task.model.delay, 0.0) + UNSEEN * task.law.period)
+    larger, slower = task.model.scaled(max(ROBUST)), replace(task.model, delay=max(task.model.delay, 0.0) + UNSEEN * task.law.period)
 
     def objective(points: Array) -> Array:
         gains = task.gains(points)
@@ -185,10 +185,7 @@ def tune_axis(task: AxisTask, *, unit: float = 1e-3, seed: int = 0) -> TunedAxis
         if not good.any():
             return values
         rms, excess = np.zeros((2, int(good.sum())))
-        worst = task.switched_on(gains[good], task.model)
-        if task.off:
-            larger = task.model.scaled(max(ROBUST))
-            worst = np.maximum(worst, OFF * task.switched_on(gains[good], larger))
+        worst = np.maximum(task.switched_on(gains[good], task.model), OFF * task.switched_on(gains[good], larger))
         for command, noise in lively:
             runs = run_lanes(command, noise, gains[good], [task.model], task.law)
             worst, rms = np.maximum(worst, runs.largest), np.maximum(rms, runs.rms)
