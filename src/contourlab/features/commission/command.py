@@ -301,11 +301,11 @@ class _Work:
         commands = [self.planned[setup.name]] if setup.name in self.planned else []
         if not any(np.ptp(command) > 0.0 for command in commands):  # no program, or it does not move this axis
             commands = [log.command for log in logs]
-        noises = [identified.noise_like(command, seed + k) for k, command in enumerate(commands)]
+        pairs = [(command, identified.noise_like(command, seed + k)) for k, command in enumerate(commands)]
         free = max(log.free for log in logs) if setup.always_enabled else 0
         off = [identified.noise_like(np.zeros(free + 300), seed + 100 + k) for k in range(OFF_RUNS if free else 0)]
         margins = self.settings.gain_margin, self.settings.phase_margin
-        axis.task = task = AxisTask(identified.model, law, commands, noises, off, free, setup.always_enabled, *margins)
+        axis.task = task = AxisTask(identified.model, law, pairs, off, free, setup.always_enabled, *margins)
         axis.before = task.runs(axis.present) if self.planned else [(log.command, log.measured) for log in logs]
         try:
             tuned = tune_axis(task, unit=self.setup.unit, seed=seed)
@@ -416,8 +416,7 @@ def planned_commands(program: Path, setup: Setup) -> dict[str, Array]:
     limits = AxisLimits(pairs[:, 0], pairs[:, 1], path_velocity=math.inf if fastest is None else fastest * setup.unit)
     reference = program_motion(made, letters, limits, setup.period)
     position = reference.block(0, reference.n_sample).position
-    rest = round(0.2 / setup.period)
-    return {letter: np.pad(position[:, k], rest, mode="edge") for k, letter in enumerate(letters)}
+    return {letter: np.pad(position[:, k], round(0.2 / setup.period), mode="edge") for k, letter in enumerate(letters)}
 
 
 # --- what a person gets: the changes as a diff, the circle before and after, and a page --------------------------------------------

@@ -169,17 +169,14 @@ def log(log: str | Path | Log, *, settings: OfLog, session: Session = QUIET) -> 
             check_follows(record)
             axes[name], more = _axis(record, settings)
             findings |= {str(doubt): doubt for doubt in (*more, *request.findings())}
-    nothing = finding("CL940", control=settings.for_)
-    return LogCommissioned(settings.for_, axes, (nothing, *findings.values()), _tables(axes, settings.for_))
+    control = settings.for_
+    return LogCommissioned(control, axes, (finding("CL940", control=control), *findings.values()), _tables(axes, control))
 
 
 def _axis(record: AxisRecord, settings: OfLog) -> tuple[LoggedAxis, list[Finding]]:
     """Return the loop of an axis, and findings."""
-    place, figures, findings = f"axis {record.axis}", dict[str, Bounds](), list[Finding]()
-    known = None
-    if record.command is not None:
-        known, figures, findings = _drive(record, place)
-    stays = math.nan
+    place, stays = f"axis {record.axis}", math.nan
+    known, figures, findings = (None, {}, []) if record.command is None else _drive(record, place)
     try:
         loop = fit_servo(record, (sinumerik := settings.for_ == "sinumerik"), sinumerik or settings.proportional, known)
         stays = loop.stays

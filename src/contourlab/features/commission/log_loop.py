@@ -99,9 +99,10 @@ def _follow(
 
 @dataclass(frozen=True, eq=False)
 class _Loop:
-    """The loop along the commanded positions of a log."""
+    """The loop along the commanded positions of a log; `motion` are the samples that count."""
 
     record: AxisRecord
+    motion: slice
 
     @cached_property
     def fine(self) -> tuple[int, Array]:
@@ -114,11 +115,6 @@ class _Loop:
     def tick(self) -> float:
         """A usual tick [s] of the control."""
         return min(max(self.record.period, TICKS[0]), TICKS[1])
-
-    @cached_property
-    def motion(self) -> slice:
-        """The samples of the motion."""
-        return counting(self.record)
 
     def position(self, x: Mapping[str, float], dead: float, kind: int) -> Array:
         """Return the position (n,) [m] of a loop of one of the `KINDS`."""
@@ -196,7 +192,7 @@ def fit_servo(record: AxisRecord, balanced: bool, proportional: bool, known: Kno
     ParameterError
         If the log does not tell the parameters apart.
     """
-    asked, loop = record.asked(), _Loop(record)
+    asked, loop = record.asked(), _Loop(record, counting(record))
     measured, speed = loop.counted(asked - record.position), loop.counted(np.gradient(asked, record.period))
     overall = float(speed @ measured / (speed @ speed))
     behind = "one whose position comes behind its reference: the columns may be exchanged"

@@ -77,17 +77,16 @@ def read_log(file: str | Path | Log, setup: Setup, window: Window | None = None)
     names = {channel.name.lower(): channel.name for channel in record.channels}
     numbered = {column: str(k + 1) for k, column in enumerate(sampler_columns(setup))} if record.format == "halsampler" else {}
     columns, findings, recorded = [], list[Finding](), list[AxisSetup]()
+    kinds = {"command": "reference", "feedback": "position", "load": "axis_position", "output": "command"}
     for axis in setup.axes:
-        chosen = {signal: _column(names, numbered, axis, signal) for signal in (*SIGNALS, "load")}
-        if missing := [word for signal, word in (("command", "command"), ("feedback", "position")) if chosen[signal] is None]:
+        chosen = {signal: name for signal in kinds if (name := _column(names, numbered, axis, signal)) is not None}
+        if missing := [word for signal, word in (("command", "command"), ("feedback", "position")) if signal not in chosen]:
             findings.append(finding("CL870", f"axis {axis.name}", signal=missing[0], log=record.file.name))
             continue
         recorded.append(axis)
-        for signal, kind in (("command", "reference"), ("feedback", "position"), ("load", "axis_position"), ("output", "command")):
-            name = chosen[signal]
-            if name is not None:
-                unit = "" if signal == "output" or record.channel(name).unit else setup.unit_name
-                columns.append(Column(kind, axis.name, name, unit))
+        for signal, name in chosen.items():
+            unit = "" if signal == "output" or record.channel(name).unit else setup.unit_name
+            columns.append(Column(kinds[signal], axis.name, name, unit))
     if not columns:
         wanted = ", ".join(sampler_columns(setup))
         raise LogError(f"has none of the columns {wanted}: name them so, or record with the lines of sampler.hal", file=record.file)
