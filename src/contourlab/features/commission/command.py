@@ -8,7 +8,7 @@ import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import chain
+from itertools import chain, product
 from pathlib import Path
 from typing import Any, TypeAlias
 
@@ -139,9 +139,8 @@ class Commissioned(Answer):
     @property
     def text(self) -> str:
         """Answer, tables, findings and files."""
-        files = "\n".join(f"written: {file}" for file in self.files)
-        tables = (table.text() for table in self.tables)
-        return "\n\n".join(filter(None, [paragraphs(self.answer), *tables, paragraphs(map(str, self.findings)), files]))
+        found, files = paragraphs(map(str, self.findings)), "\n".join(f"written: {file}" for file in self.files)
+        return "\n\n".join(filter(None, [paragraphs(self.answer), *(table.text() for table in self.tables), found, files]))
 
 
 @question(LinuxCNC)
@@ -181,7 +180,8 @@ def commission(ini: str | Path, hal: str | Path, *, settings: LinuxCNC, session:
         bad = {doubt.place.removeprefix("axis ") for doubt in wrong}
         records.append({name: moving(axis) for name, axis in record.items() if name not in bad})
     planned = {} if program is None else planned_commands(program, setup)
-    work = _Work(setup, records, planned, settings, {axis.name: _Axis(axis, axis.loop, axis.row(setup.unit)) for axis in setup.axes})
+    axes = {axis.name: _Axis(axis, axis.loop, row_of(axis.gains, setup.unit)) for axis in setup.axes}
+    work = _Work(setup, records, planned, settings, axes)
     if all(doubt.code != "CL871" for doubt in findings):
         session.stages().begin("identifying and tuning the axes")
         findings += chain.from_iterable(in_threads(work.identify, [work.axes[axis.name] for axis in setup.closed]))
@@ -302,11 +302,11 @@ class _Work:
         commands = [self.planned[setup.name]] if setup.name in self.planned else []
         if not any(np.ptp(command) > 0.0 for command in commands):  # no program, or it does not move this axis
             commands = [log.command for log in logs]
-        noises = [identified.noise_like(command, seed + k) for k, command in enumerate(commands)]
+        pairs = [(command, identified.noise_like(command, seed + k)) for k, command in enumerate(commands)]
         free = max(log.free for log in logs) if setup.always_enabled else 0
         off = [identified.noise_like(np.zeros(free + 300), seed + 100 + k) for k in range(OFF_RUNS if free else 0)]
         margins = self.settings.gain_margin, self.settings.phase_margin
-        axis.task = task = AxisTask(identified.model, law, commands, noises, off, free, setup.always_enabled, *margins)
+        axis.task = task = AxisTask(identified.model, law, pairs, off, free, setup.always_enabled, *margins)
         axis.before = task.runs(axis.present) if self.planned else [(log.command, log.measured) for log in logs]
         try:
             tuned = tune_axis(task, unit=self.setup.unit, seed=seed)
@@ -336,25 +336,22 @@ class _Work:
 
     def _errors(self, moved: Mapping[str, _Axis], *, tuned: bool) -> tuple[float, dict[str, float]]:
         """Return the delay [s] that all axes share, and the largest error [m] of each without it, with tuned gains or else those in use."""
-        chosen = {name: (axis.task, axis.tuned) for name, axis in moved.items() if tuned and axis.task and axis.tuned}
-        moves = {name: axis.before for name, axis in moved.items()} | {name: task.runs(new.gains) for name, (task, new) in chosen.items()}
+        chosen = {name: (axis.task, axis.tuned.gains) for name, axis in moved.items() if tuned and axis.task and axis.tuned}
+        moves = {name: axis.before for name, axis in moved.items()} | {name: task.runs(gains) for name, (task, gains) in chosen.items()}
         period = self.setup.period
         delay = shared_delay(list(moves.values()), period) if len(moves) == len(self.setup.axes) else 0.0
         errors = {name: largest_error(runs, delay, period) for name, runs in moves.items()}
-        for name, (task, new) in chosen.items():
-            started = float(task.switched_on(new.gains[None], task.model)[0])
-            errors[name] = max(errors[name], started) if delay else new.largest
+        for name, (task, gains) in chosen.items():
+            errors[name] = max(errors[name], float(task.switched_on(gains[None], task.model)[0]))
         return delay, errors
 
     def safe(self, known: Mapping[str, IdentifiedAxis]) -> dict[str, dict[str, float]]:
         """Return the first gains to type in: half the way, or less where the loop would not be stable there."""
         chosen = {}
-        for share in (0.5, 0.25, 0.1):
-            for name, model in known.items():
-                gains = self.axes[name].gains(self.setup.unit, share)
-                row = row_of(gains, self.setup.unit)
-                if name not in chosen and robustly_stable(row[None], model.model, model.law.period)[0]:
-                    chosen[name] = gains
+        for share, (name, model) in product((0.1, 0.25, 0.5), known.items()):
+            gains = self.axes[name].gains(self.setup.unit, share)
+            if robustly_stable(row_of(gains, self.setup.unit)[None], model.model, model.law.period)[0]:
+                chosen[name] = gains
         return chosen
 
 
@@ -407,8 +404,12 @@ def planned_commands(program: Path, setup: Setup) -> dict[str, Array]:
     from contourlab.scenario.values import program_motion
 
     made = read_program(program, reading=Reading(require_end=False))
-    known = {letter: pair for letter in "xyz" if (pair := _limits(setup, letter)) is not None}
-    letters, pairs = list(known), np.array(list(known.values())) * setup.unit
+    keys = {"velocity": "MAX_VELOCITY", "acceleration": "MAX_ACCELERATION"}
+    found: dict[str, Mapping[str, float | None]]
+    found = {a: {name: setup.ini.number(f"AXIS_{a.upper()}", key) for name, key in keys.items()} for a in "xyz"}
+    found |= {axis.name: axis.limits for axis in setup.axes if axis.name in found}
+    known = {a: [values[name] for name in keys] for a, values in found.items() if None not in values.values()}
+    letters, pairs = list(known), np.array(list(known.values()), dtype=float) * setup.unit
     # LinuxCNC speeds up along an arc with half the acceleration.
     straight = [any(not isinstance(move, Arc | Dwell) and move.start[k] != move.end[k] for move in made.moves) for k in range(3)]
     pairs[:, 1] *= [1.0 if straight["xyz".index(letter)] else 0.5 for letter in letters]
@@ -416,17 +417,7 @@ def planned_commands(program: Path, setup: Setup) -> dict[str, Array]:
     limits = AxisLimits(pairs[:, 0], pairs[:, 1], path_velocity=math.inf if fastest is None else fastest * setup.unit)
     reference = program_motion(made, letters, limits, setup.period)
     position = reference.block(0, reference.n_sample).position
-    rest = round(0.2 / setup.period)
-    return {letter: np.pad(position[:, k], rest, mode="edge") for k, letter in enumerate(letters)}
-
-
-def _limits(setup: Setup, letter: str) -> tuple[float, float] | None:
-    """Return velocity and acceleration of an axis in machine units; None if the INI file has none."""
-    axis = next((axis for axis in setup.axes if axis.name == letter), None)
-    if axis is not None:
-        return axis.limits["velocity"], axis.limits["acceleration"]
-    values = [setup.ini.number(f"AXIS_{letter.upper()}", key) for key in ("MAX_VELOCITY", "MAX_ACCELERATION")]
-    return None if None in values else (float(values[0] or 0.0), float(values[1] or 0.0))
+    return {letter: np.pad(position[:, k], round(0.2 / setup.period), mode="edge") for k, letter in enumerate(letters)}
 
 
 # --- what a person gets: the changes as a diff, the circle before and after, and a page --------------------------------------------
@@ -446,8 +437,7 @@ def changes(setup: Setup, gains: Mapping[str, Mapping[str, float]]) -> str:
     gains : mapping of str to mapping of str to float
         By axis and HAL's name, in machine units. A gain that the files do not set is added only if it changes.
     """
-    lines = {file: _lines(file) for file in (setup.hal, *(place.file for axis in setup.axes for place in axis.places.values()))}
-    added: dict[int, list[str]] = {}
+    lines = {file: _lines(file) or [""] for file in (setup.hal, *(place.file for axis in setup.axes for place in axis.places.values()))}
     for axis in setup.axes:
         for name, value in gains.get(axis.name, {}).items():
             entry = axis.places.get(name)
@@ -456,10 +446,9 @@ def changes(setup: Setup, gains: Mapping[str, Mapping[str, float]]) -> str:
                 head, rest = re.match(r"([^=#]*=\s*|\s*setp\s+\S+\s+)(.*)", line, re.DOTALL).groups()  # type: ignore[union-attr]
                 lines[entry.file][entry.line - 1] = head + rest.replace(entry.value, text_of(value), 1)
             elif entry is None and value != axis.gains[name]:
-                added.setdefault(axis.last or len(lines[setup.hal]), []).append(f"setp {axis.pid}.{name} {text_of(value)}\n")
-    for number in sorted(added, reverse=True):
-        lines[setup.hal][number:number] = added[number]
-    diffs = (difflib.unified_diff(_lines(file), new, f"a/{file.name}", f"b/{file.name}") for file, new in lines.items())
+                lines[setup.hal][axis.last - 1] += f"setp {axis.pid}.{name} {text_of(value)}\n"  # without a setp in the last line
+    changed = {file: "".join(new).splitlines(keepends=True) for file, new in lines.items()}
+    diffs = (difflib.unified_diff(_lines(file), new, f"a/{file.name}", f"b/{file.name}") for file, new in changed.items())
     text = "".join(line for diff in diffs for line in diff)
     return f"{SAFETY}\n{text}" if text else ""
 

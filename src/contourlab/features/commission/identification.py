@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import astuple, dataclass, field, replace
-from itertools import pairwise
+from itertools import accumulate, pairwise
 from typing import TypeAlias
 
 import numpy as np
@@ -130,17 +130,12 @@ class IdentifiedAxis:
         """Return the position of the load (n,) [m] in a traced run; nan if nothing is known of it."""
         if self.model.share or self.swings or math.isnan(self.play):
             return run.load + (0.0 if self.model.share else math.nan)
-        places, at, half = list[float](), float(run.position[0]), 0.5 * self.play
-        for place in run.position.tolist():
-            at = min(max(at, place - half), place + half)
-            places.append(at)
-        return np.array(places)
+        half = 0.5 * self.play
+        return np.array(list(accumulate(run.position.tolist(), lambda at, place: min(max(at, place - half), place + half))))
 
     def noise_like(self, command: Array, seed: int = 0) -> Array:
         """Return noise for a command (n,), drawn from the samples at rest."""
         generator = np.random.default_rng(seed)
-        if not self.noise > 0.0:
-            return np.zeros(command.size)
         if self.rest_noise.size:
             return np.asarray(generator.choice(self.rest_noise, command.size))
         return np.asarray(self.noise * generator.standard_normal(command.size))

@@ -17,7 +17,6 @@ from contourlab.app.session import QUIET, Answer, Session, question
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 from contourlab.features.commission.log_loop import CLOCK, SURE, TICK, Known, fit_servo
-from contourlab.features.commission.log_terms import LogTerm, terms_of_log
 from contourlab.features.commission.options import OfLog
 from contourlab.features.commission.records import EXPLAINED, QUICK, SPAN, explained_by_motion
 from contourlab.features.identify.command import axes_of
@@ -45,8 +44,53 @@ FIGURES = {
 """Figures of an axis: what they are called, and their unit in the table."""
 DETERMINED = {"Kv": 0.3, "velocity_feedforward": 0.3, "equivalent_time": 1.0, "delay": 0.01}
 """Largest half interval of a figure that counts as determined, relative to it; of feedforward and delay [s], in absolute terms."""
+TIME = "equivalent_time"
+UNKNOWN = Bounds(math.nan, -math.inf, math.inf)
+TERMS: dict[str, tuple[tuple[str, str, str, float, float, str], ...]] = {
+    "generic": (
+        ("Kv", "1/s", "Kv", 1.0, math.nan, ""),
+        ("velocity feedforward", "%", "velocity_feedforward", 100.0, 100.0, ""),
+        ("acceleration feedforward", "ms", "", 1.0, 1e3, TIME),
+        ("velocity loop: time constant", "ms", TIME, 1e3, math.nan, ""),
+    ),
+    "sinumerik": (
+        ("MD32200 POSCTRL_GAIN", "1000/min", "Kv", 0.06, math.nan, ""),
+        ("MD32610 VELO_FFW_WEIGHT", "", "velocity_feedforward", 1.0, 1.0, ""),
+        ("MD32620 FFW_MODE", "", "", 1.0, 3.0, ""),
+        ("MD32810 EQUIV_SPEEDCTRL_TIME", "s", TIME, 1.0, 1.0, TIME),
+    ),
+    "twincat": (
+        ("Proportional Factor Kv", "1/s", "Kv", 1.0, math.nan, ""),
+        ("Pre-Control Weighting", "", "velocity_feedforward", 1.0, 1.0, ""),
+        ("Proportional Factor Ka", "s", "", 1.0, 1.0, TIME),
+    ),
+    "cia402": (
+        ("position loop: gain", "1/s", "Kv", 1.0, math.nan, ""),
+        ("0x60B1 velocity offset", "of set velocity", "velocity_feedforward", 1.0, 1.0, ""),
+    ),
+}
+"""Name, unit, figure that it is and its factor; and what is proposed: a number, or a number times a figure."""
 LAW = 0.1
 """Share that the law of a position loop may leave of what the drive command has beside set velocity and acceleration."""
+
+
+@dataclass(frozen=True)
+class LogTerm:
+    """A parameter of a control.
+
+    Attributes
+    ----------
+    name, unit : str
+    value : Bounds
+        As the log shows it; nan where it does not.
+    proposed : float
+        nan: it stays, or the log does not give it.
+    """
+
+    name: str
+    unit: str
+    value: Bounds
+    proposed: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,17 +169,14 @@ def log(log: str | Path | Log, *, settings: OfLog, session: Session = QUIET) -> 
             check_follows(record)
             axes[name], more = _axis(record, settings)
             findings |= {str(doubt): doubt for doubt in (*more, *request.findings())}
-    nothing = finding("CL940", control=settings.for_)
-    return LogCommissioned(settings.for_, axes, (nothing, *findings.values()), _tables(axes, settings.for_))
+    control = settings.for_
+    return LogCommissioned(control, axes, (finding("CL940", control=control), *findings.values()), _tables(axes, control))
 
 
 def _axis(record: AxisRecord, settings: OfLog) -> tuple[LoggedAxis, list[Finding]]:
     """Return the loop of an axis, and findings."""
-    place, figures, findings = f"axis {record.axis}", dict[str, Bounds](), list[Finding]()
-    known = None
-    if record.command is not None:
-        known, figures, findings = _drive(record, place)
-    stays = math.nan
+    place, stays = f"axis {record.axis}", math.nan
+    known, figures, findings = (None, {}, []) if record.command is None else _drive(record, place)
     try:
         loop = fit_servo(record, (sinumerik := settings.for_ == "sinumerik"), sinumerik or settings.proportional, known)
         stays = loop.stays
@@ -152,7 +193,7 @@ def _axis(record: AxisRecord, settings: OfLog) -> tuple[LoggedAxis, list[Finding
         if unknown := [FIGURES[name][0] for name in DETERMINED if name not in figures]:
             findings.append(finding("CL941", place, parameters=unknown))
     except ParameterError as error:
-        findings.append(finding("CL942", place, reason=str(error)))
+        findings.append(finding("CL942", place, reason=error.bound))
     findings += [] if reverses(record) else [finding("CL593", place)]
     return LoggedAxis(figures, stays, terms_of_log(settings.for_, figures)), findings
 
@@ -171,6 +212,16 @@ def _determined(x: Mapping[str, Bounds]) -> dict[str, Bounds]:
     figures |= {"reset": x["reset"]} if integral else {}
     scale = {"Kv": x["Kv"].value, "velocity_feedforward": 1.0, "equivalent_time": x["equivalent_time"].value, "delay": 1.0}
     return figures | {name: x[name] for name, most in DETERMINED.items() if x[name].half < most * scale[name]}
+
+
+def terms_of_log(control: str, x: Mapping[str, Bounds]) -> tuple[LogTerm, ...]:
+    """Return the parameters of a control for the figures of an axis; without a time constant nothing is proposed."""
+    terms = []
+    for name, unit, key, factor, wanted, of in TERMS[control]:
+        shown, known = x.get(key, UNKNOWN), x.get(of or TIME, UNKNOWN).value
+        value = Bounds(factor * shown.value, factor * shown.low, factor * shown.high)
+        terms.append(LogTerm(name, unit, value, wanted * known if of else wanted + 0.0 * known))
+    return tuple(terms)
 
 
 # --- the drive command --------------------------------------------------------------------------------------------------------------

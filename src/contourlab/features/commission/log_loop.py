@@ -20,9 +20,11 @@ import numpy as np
 
 from contourlab.analysis.identification.least_squares import FADED, PARTS, Bounds, Free, OutputFit, fit_output, memory, parted
 from contourlab.arrays import Array
+from contourlab.errors import ParameterError, refuse
 from contourlab.features.commission.identification import LEAST
 from contourlab.features.identify.position_loop import counting, reverses, run_in
 from contourlab.features.identify.records import AxisRecord
+from contourlab.figures import grouped
 from contourlab.native.kernel import kernel
 
 STEP = 5e-4
@@ -97,9 +99,10 @@ def _follow(
 
 @dataclass(frozen=True, eq=False)
 class _Loop:
-    """The loop along the commanded positions of a log."""
+    """The loop along the commanded positions of a log; `motion` are the samples that count."""
 
     record: AxisRecord
+    motion: slice
 
     @cached_property
     def fine(self) -> tuple[int, Array]:
@@ -112,11 +115,6 @@ class _Loop:
     def tick(self) -> float:
         """A usual tick [s] of the control."""
         return min(max(self.record.period, TICKS[0]), TICKS[1])
-
-    @cached_property
-    def motion(self) -> slice:
-        """The samples of the motion."""
-        return counting(self.record)
 
     def position(self, x: Mapping[str, float], dead: float, kind: int) -> Array:
         """Return the position (n,) [m] of a loop of one of the `KINDS`."""
@@ -180,9 +178,11 @@ def fit_servo(record: AxisRecord, balanced: bool, proportional: bool, known: Kno
     ParameterError
         If the log does not tell the parameters apart.
     """
-    asked, loop = record.asked(), _Loop(record)
+    asked, loop = record.asked(), _Loop(record, counting(record))
     measured, speed = loop.counted(asked - record.position), loop.counted(np.gradient(asked, record.period))
     overall = float(speed @ measured / (speed @ speed))
+    behind = "one whose position comes behind its reference: the columns may be exchanged"
+    refuse(overall < -2.0 * record.period, ParameterError, "log", record.axis, behind)
     free = {
         "Kv": Free(20.0, 0.5, 0.5 / record.period, 10.0),
         "following_time": Free(overall, -2.0 * record.period, 2.0, 1e-3),
@@ -251,30 +251,26 @@ def _with_integral(x: Mapping[str, float]) -> dict[str, float]:
 
 def _figures(fits: list[tuple[float, OutputFit]], record: AxisRecord, known: Known | None) -> dict[str, Bounds]:
     """Return figures of all fits, each between the least and the largest that one of them allows."""
-    columns: dict[str, list[tuple[float, float]]] = {}
+    columns = list[tuple[str, tuple[float, float]]]()
     for dead, fit in fits:
         x = {"reset": 0.0} | fit.parameters | ({"Kv": known.gain, "reset": known.reset} if known else {})
-        names = [*fit.names, *(["Kv"] if known else [])]
-        spread = np.diag([*fit.robust_deviations, *([known.deviation] if known else [])])
-        mixed = np.eye(len(names))
-        mixed[: len(fit.names), : len(fit.names)] = fit.correlation
-        covariance = spread @ mixed @ spread
+        spread = dict(zip(fit.names, fit.robust_deviations.tolist(), strict=True)) | ({"Kv": known.deviation} if known else {})
         ahead = 1.0 - x["velocity_feedforward"]
         slopes = {"Kv": ahead / x["Kv"] ** 2, "following_time": 1.0, "velocity_feedforward": 1.0 / x["Kv"]}
-        along = np.array([slopes.get(name, 0.0) for name in names])
-        each = {"reset": (x["reset"], 0.0)} | {name: (x[name], float(spread[i, i])) for i, name in enumerate(names)}
+        late = np.array([slopes.get(name, 0.0) * deviation for name, deviation in spread.items()])
+        mixed, own = late[: len(fit.names)], late[len(fit.names) :]  # what is known of the gain is not of this fit
+        each = {"reset": (x["reset"], 0.0)} | {name: (x[name], deviation) for name, deviation in spread.items()}
         hold = 0.5 * record.period / math.ceil(record.period / STEP)
         each["equivalent_time"] = x["lag"] + dead + hold, math.hypot(each.pop("lag")[1], TICK * record.period)
-        each["delay"] = delay_of(x), math.hypot(math.sqrt(max(float(along @ covariance @ along), 0.0)), TICK * record.period)
+        each["delay"] = delay_of(x), math.sqrt(max(float(mixed @ fit.correlation @ mixed + own @ own), 0.0) + (TICK * record.period) ** 2)
         each["following_time"] = x["following_time"], math.hypot(each["following_time"][1], CLOCK * record.period)
         if {"Kv", "velocity_feedforward"} & {*fit.at_bound}:
             each["Kv"] = x["Kv"], math.inf
         if "friction_offset" in each:
             each["friction_offset"] = x["friction_offset"], math.hypot(each["friction_offset"][1], LEAST)
-        for name, pair in each.items():
-            columns.setdefault(name, []).append(pair)
+        columns += each.items()
     bounds = {}
-    for name, pairs in columns.items():
+    for name, pairs in grouped(columns).items():
         low, high = min(v - SURE * d for v, d in pairs), max(v + SURE * d for v, d in pairs)
         bounds[name] = Bounds(0.5 * (low + high), low, high)
     return bounds

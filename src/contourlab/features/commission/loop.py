@@ -320,8 +320,7 @@ def run_lanes(
     free : int
         Number of samples at the start in which LinuxCNC is off and the command follows the position; later commands are shifted.
     """
-    settings = {"previous": float(law.previous_target), "limit": law.limit, "deadband": law.deadband, "bias": law.bias}
-    settings |= {"free": float(free)}
+    settings = {"previous": float(law.previous_target), "limit": law.limit, "deadband": law.deadband, "bias": law.bias, "free": float(free)}
     parameters = {**dict(zip(GAINS, gains.T, strict=True)), **settings}
     wires: dict[str, Any] = {"command": "in.command", "noise": "in.noise", "position": Late("axis.measured")}
     at = float(command[0])

@@ -14,7 +14,7 @@ from contourlab.controls.linuxcnc.loops import LoopClass
 from contourlab.errors import LogError
 from contourlab.features.commission.excitation import SIGNALS, sampler_columns
 from contourlab.features.commission.loop import GAINS, Law, law_output
-from contourlab.features.commission.setup import AxisSetup, Setup
+from contourlab.features.commission.setup import AxisSetup, Setup, row_of
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 from contourlab.logs import Column, Columns, Log, read_record, result_of
@@ -25,6 +25,8 @@ LEAST_MOTION = 1e-4
 AGREES = 0.02
 """Difference of the logged output from the law of pid, relative to its standard deviation, up to which they agree."""
 INCH = 25.4
+WORDS = {"command": "cmd", "feedback": "fb", "output": "out"}
+"""How the columns of a log call the pins of a pid."""
 SPAN, LATEST = 0.02, 0.02
 """Time [s] over which positions are differenced where a log decides, and longest delay of the motion behind the output."""
 EXPLAINED = 0.8
@@ -75,17 +77,16 @@ def read_log(file: str | Path | Log, setup: Setup, window: Window | None = None)
     names = {channel.name.lower(): channel.name for channel in record.channels}
     numbered = {column: str(k + 1) for k, column in enumerate(sampler_columns(setup))} if record.format == "halsampler" else {}
     columns, findings, recorded = [], list[Finding](), list[AxisSetup]()
+    kinds = {"command": "reference", "feedback": "position", "load": "axis_position", "output": "command"}
     for axis in setup.axes:
-        chosen = {signal: _column(names, numbered, axis, signal) for signal in (*SIGNALS, "load")}
-        if missing := [word for signal, word in (("command", "command"), ("feedback", "position")) if chosen[signal] is None]:
+        chosen = {signal: name for signal in kinds if (name := _column(names, numbered, axis, signal)) is not None}
+        if missing := [word for signal, word in (("command", "command"), ("feedback", "position")) if signal not in chosen]:
             findings.append(finding("CL870", f"axis {axis.name}", signal=missing[0], log=record.file.name))
             continue
         recorded.append(axis)
-        for signal, kind in (("command", "reference"), ("feedback", "position"), ("load", "axis_position"), ("output", "command")):
-            name = chosen[signal]
-            if name is not None:
-                unit = "" if signal == "output" or record.channel(name).unit else setup.unit_name
-                columns.append(Column(kind, axis.name, name, unit))
+        for signal, name in chosen.items():
+            unit = "" if signal == "output" or record.channel(name).unit else setup.unit_name
+            columns.append(Column(kinds[signal], axis.name, name, unit))
     if not columns:
         wanted = ", ".join(sampler_columns(setup))
         raise LogError(f"has none of the columns {wanted}: name them so, or record with the lines of sampler.hal", file=record.file)
@@ -102,24 +103,18 @@ def read_log(file: str | Path | Log, setup: Setup, window: Window | None = None)
         if output is None:  # it was not recorded
             findings.append(finding("CL872", f"axis {axis.name}"))
             law = Law(period, axis.previous_target is not False)
-            output = law_output(command, measured, axis.row(setup.unit).tolist(), law)
+            output = law_output(command, measured, row_of(axis.gains, setup.unit).tolist(), law)
         logs[axis.name] = AxisLog(record.file.name, axis.name, period, command, measured, output, load)
     return logs, findings
 
 
 def _column(names: Mapping[str, str], numbered: Mapping[str, str], axis: AxisSetup, signal: str) -> str | None:
     """Return the column of a signal of an axis, by its usual names, its pin, or its HAL signal."""
-    a, joint = axis.name, axis.joint
+    a, end, word = axis.name, SIGNALS.get(signal, "_load"), WORDS.get(signal, signal)
     if numbered:
-        return numbered.get(f"{a}{SIGNALS[signal]}") if signal in SIGNALS else None
-    usual = {
-        "command": (f"{a}_cmd", f"{a}-cmd", f"joint.{joint}.motor-pos-cmd"),
-        "feedback": (a, f"{a}_fb", f"{a}-fb", f"joint.{joint}.motor-pos-fb"),
-        "output": (f"{a}_out", f"{a}-out"),
-        "load": (f"{a}_load", f"{a}-load"),
-    }
-    wired = (f"{axis.pid}.{signal}", axis.signals.get(signal, ""))
-    return next((names[name.lower()] for name in (*usual[signal], *wired) if name.lower() in names), None)
+        return numbered.get(f"{a}{end}")
+    usual = (f"{a}{end}", f"{a}_{word}", f"{a}-{word}", f"joint.{axis.joint}.motor-pos-{word}", f"{axis.pid}.{signal}")
+    return next((names[name.lower()] for name in (*usual, axis.signals.get(signal, "")) if name.lower() in names), None)
 
 
 REST = 0.5
@@ -200,7 +195,7 @@ def law_of(log: AxisLog, axis: AxisSetup, unit: float) -> tuple[Law, list[Findin
     The output is compared with the gains of the HAL file, with either setting of ``error-previous-target``. If neither agrees, the gains
     are fitted: all of them scaled alike mean a sign or a unit; integral and feedforward scaled against Pgain mean another servo period.
     """
-    gains = axis.row(unit)
+    gains = row_of(axis.gains, unit)
     choices = (True, False) if axis.previous_target is None else (axis.previous_target,)
     more = {"deadband": unit * axis.gains.get("deadband", 0.0), "bias": axis.gains.get("bias", 0.0)}
     laws = [Law(log.period, previous, axis.maxoutput, **more) for previous in choices]

@@ -66,10 +66,6 @@ class AxisSetup:
     backlash: float = 0.0
     always_enabled: bool = False
 
-    def row(self, unit: float) -> Array:
-        """Return the gains (7,) per metre, in the order of `loop.GAINS`."""
-        return row_of(self.gains, unit)
-
     @property
     def idle(self) -> bool:
         """Whether the pid has neither proportional gain nor velocity feedforward."""
@@ -77,7 +73,7 @@ class AxisSetup:
 
 
 def row_of(gains: Mapping[str, float], unit: float) -> Array:
-    """Return gains (7,) per metre from those in machine units [m]."""
+    """Return gains (7,) per metre, in the order of `loop.GAINS`, from those in machine units [m]."""
     return np.array([gains[name] / unit for name in GAINS])
 
 

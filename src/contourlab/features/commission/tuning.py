@@ -41,7 +41,8 @@ class AxisTask:
     ----------
     model : AxisModel
     law : Law
-    commands, noises : sequence of ndarray (n,) [m]
+    pairs : sequence of (ndarray (n,) [m], ndarray (n,) [m])
+        Commands with the noise of the encoder.
     off : sequence of ndarray (n,) [m]
         Noise of further runs that begin with `free` samples in which LinuxCNC is off, and then hold; a pid that is always enabled drifts.
     free : int
@@ -52,8 +53,7 @@ class AxisTask:
 
     model: AxisModel
     law: Law
-    commands: Sequence[Array]
-    noises: Sequence[Array]
+    pairs: Moves
     off: Sequence[Array] = ()
     free: int = 0
     always_enabled: bool = False
@@ -69,7 +69,7 @@ class AxisTask:
     def largest(self, gains: Array, factor: float = 1.0) -> float:
         """Return the largest error [m] of one set of gains; `factor` scales the gain of the axis."""
         scaled = self.model.scaled(factor)
-        worst = max(float(run_lanes(*pair, gains[None], [scaled], self.law).largest[0]) for pair in self.pairs())
+        worst = max(float(run_lanes(*pair, gains[None], [scaled], self.law).largest[0]) for pair in self.pairs)
         return max(worst, float(self.switched_on(gains[None], scaled)[0]))
 
     def switched_on(self, gains: Array, model: AxisModel) -> Array:
@@ -83,12 +83,7 @@ class AxisTask:
 
     def traced(self, gains: Array) -> Sequence[tuple[Array, Runs]]:
         """Return the commands and their runs with one set of gains."""
-        lanes = (run_lanes(*pair, gains[None], [self.model], self.law, trace=True) for pair in self.pairs())
-        return list(zip(self.commands, lanes, strict=True))
-
-    def pairs(self) -> Sequence[tuple[Array, Array]]:
-        """Return commands with their noises."""
-        return list(zip(self.commands, self.noises, strict=True))
+        return [(pair[0], run_lanes(*pair, gains[None], [self.model], self.law, trace=True)) for pair in self.pairs]
 
     def most_ahead(self, ff2: Array) -> Array:
         """Return the largest velocity feedforward (n,) beyond that for the previous target.
@@ -130,9 +125,8 @@ def shared_delay(axes: Sequence[Moves], period: float) -> float:
     """
     delays = []
     for runs in axes:
-        speeds = [np.gradient(command) / period for command, _ in runs]
-        behind = sum(float(speed @ (command - position)) for speed, (command, position) in zip(speeds, runs, strict=True))
-        delays.append(behind / max(sum(float(speed @ speed) for speed in speeds), 1e-30))
+        speed = np.concatenate([np.gradient(command) / period for command, _ in runs])
+        delays.append(float(speed @ np.concatenate([command - position for command, position in runs])) / max(float(speed @ speed), 1e-30))
     return max(min(delays), 0.0) if len(delays) > 1 else 0.0
 
 
@@ -176,9 +170,9 @@ def tune_axis(task: AxisTask, *, unit: float = 1e-3, seed: int = 0) -> TunedAxis
     ParameterError
         If no gains keep the margins.
     """
-    moves = [(command, noise, restless(command, task.law.period)) for command, noise in task.pairs()]
+    moves = [(command, noise, restless(command, task.law.period)) for command, noise in task.pairs]
     lively = [(command[kept], noise[kept]) for command, noise, kept in moves]
-    slower = replace(task.model, delay=max(task.model.delay, 0.0) + UNSEEN * task.law.period)
+    larger, slower = task.model.scaled(max(ROBUST)), replace(task.model, delay=max(task.model.delay, 0.0) + UNSEEN * task.law.period)
 
     def objective(points: Array) -> Array:
         gains = task.gains(points)
@@ -187,10 +181,7 @@ def tune_axis(task: AxisTask, *, unit: float = 1e-3, seed: int = 0) -> TunedAxis
         if not good.any():
             return values
         rms, excess = np.zeros((2, int(good.sum())))
-        worst = task.switched_on(gains[good], task.model)
-        if task.off:
-            larger = task.model.scaled(max(ROBUST))
-            worst = np.maximum(worst, OFF * task.switched_on(gains[good], larger))
+        worst = np.maximum(task.switched_on(gains[good], task.model), OFF * task.switched_on(gains[good], larger))
         for command, noise in lively:
             runs = run_lanes(command, noise, gains[good], [task.model], task.law)
             worst, rms = np.maximum(worst, runs.largest), np.maximum(rms, runs.rms)

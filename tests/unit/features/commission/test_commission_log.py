@@ -8,8 +8,8 @@ import pytest
 
 import contourlab as cl
 from contourlab.cli.main import main
+from contourlab.features.commission.log_command import TERMS, terms_of_log
 from contourlab.features.commission.log_loop import Bounds
-from contourlab.features.commission.log_terms import TERMS, terms_of_log
 
 PERIOD = 1e-3
 TRUE = {"Kv": 30.0, "velocity_feedforward": 0.6, "equivalent_time": 0.0045}
@@ -179,6 +179,12 @@ def test_one_velocity_determines_no_loop(tmp_path: Path) -> None:
     assert not axis.figures
     assert all(np.isnan(term.value.value) and np.isnan(term.proposed) for term in axis.terms)
     assert {"CL940", "CL593"} < {finding.code for finding in answer.findings}
+
+
+def test_exchanged_columns_give_no_loop(tmp_path: Path) -> None:
+    position, _ = cascade(reference := moves())
+    answer = cl.commission.log(written(tmp_path / "log.csv", position, reference))
+    assert "CL942" in {finding.code for finding in answer.findings} and not answer.axes["x"].figures
 
 
 def test_terms_have_the_units_of_their_control() -> None:

@@ -187,7 +187,7 @@ def test_command_follows_the_position_while_the_control_is_off() -> None:
 
 def test_a_resonance_does_not_start_to_ring_while_the_control_is_off() -> None:
     pushed = replace(AXIS, resonance=45.0, damping_ratio=0.03, share=1.0, offset=-0.03)
-    task = AxisTask(pushed, Law(PERIOD), [], [], always_enabled=True)
+    task = AxisTask(pushed, Law(PERIOD), [], always_enabled=True)
     points = np.random.default_rng(2).random((12, 5))
     points[:, 3:] = 0.5, 1.0  # nominal velocity feedforward, the most of acceleration
     for gains in task.gains(points):

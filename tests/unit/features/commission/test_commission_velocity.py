@@ -67,7 +67,7 @@ def test_a_log_gives_speed_lag_delay_and_integral(name: str) -> None:
 def test_tuned_gains_do_what_they_predict_on_the_drive_itself(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("contourlab.features.commission.tuning.BUDGET", 200)
     model, axis = DRIVES["250"], identified(DRIVES["250"])
-    task = AxisTask(axis.model, axis.law, [command()], [axis.noise_like(command())])
+    task = AxisTask(axis.model, axis.law, [(command(), axis.noise_like(command()))])
     tuned = tune_axis(task)
     noise = np.random.default_rng(5).uniform(-1e-7, 1e-7, command().size)
     before, after = (run_lanes(command(), noise, gains[None], [model], Law(PERIOD)).largest[0] for gains in (present(model), tuned.gains))
