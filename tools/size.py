@@ -11,28 +11,28 @@ from collections import Counter
 from pathlib import Path
 
 BUDGETS = {
-    "analysis": 4721,
-    "app": 1040,
-    "cli": 516,
-    "components": 5764,
+    "analysis": 4865,
+    "app": 1026,
+    "cli": 503,
+    "components": 5810,
     "contours": 1553,
     "controls": 692,
     "engine": 3668,
-    "features": 19249,
+    "features": 19338,
     "feed": 3154,
     "findings": 55,
     "geometry": 2220,
     "logs": 1922,
-    "loop": 2754,
-    "metrics": 1130,
+    "loop": 2767,
+    "metrics": 1108,
     "native": 320,
     "papers": 3451,
     "program": 2601,
-    "rendering": 2613,
-    "result": 620,
+    "rendering": 2628,
+    "result": 608,
     "scenario": 2064,
     "study": 1405,
-    "without papers": 58756,
+    "without papers": 59071,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 

@@ -58,7 +58,7 @@ def test_what_one_axis_cannot_know_is_refused() -> None:
 
 @each("case", [case for case in CASES if case not in REFUSED])
 def test_every_part_of_an_axis_can_be_exported(case: str) -> None:
-    run = excited(exported(case), 40)
+    run = excited(exported(case), 100)
     assert np.isfinite(run.command).all()
     assert np.ptp(run.command) > 0.0
 
