@@ -79,6 +79,12 @@ def test_check_proposes_the_dialect_of_the_program(contourlab: Run, tmp_path: Pa
     assert f"--dialect {dialect}" in again.out.splitlines()[-1]  # and the run that is proposed then
 
 
+def test_check_proposes_the_named_dialect_if_the_faults_are_as_many_there(contourlab: Run, tmp_path: Path) -> None:
+    said = contourlab("check", write(tmp_path, "(Post Processor: grbl_post)\nG1 X1\nM2\n"))
+    assert said.code == 2
+    assert said.out.rstrip().endswith("next: contourlab check part.ngc --dialect grbl")
+
+
 def test_a_program_without_a_dialect_of_its_own_gets_no_proposal(contourlab: Run, tmp_path: Path) -> None:
     write(tmp_path, "G41 D1\nG0 X1\nM2\n")
     assert "--dialect" not in contourlab("check", "part.ngc").out

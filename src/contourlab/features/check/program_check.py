@@ -494,7 +494,7 @@ def proposed_dialect(file: str | Path, reading: Reading, faults: int) -> str:
                 deque(reader.moves(), maxlen=0)
             except ProgramError as error:
                 problems.append(error)
-        if len(problems) < least or not (faults or problems or best):
+        if len(problems) < least or (name in named and not best and len(problems) == least):
             best, least = name, len(problems)
     return "" if best == "linuxcnc" else best
 
