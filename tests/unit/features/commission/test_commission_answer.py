@@ -2,7 +2,9 @@
 
 import re
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import made_commission as bench
 import numpy as np
@@ -16,7 +18,7 @@ from contourlab.errors import ParameterError
 from contourlab.features.commission.command import Commissioned, commission
 from contourlab.features.commission.loop import GAINS
 from contourlab.features.commission.setup import read_setup
-from contourlab.features.commission.tuning import AxisTask, TunedAxis, largest_error, shared_delay
+from contourlab.features.commission.tuning import AxisTask, TunedAxis, largest_error, shared_delay, tune_axis
 
 Rows = dict[str, np.ndarray]
 
@@ -281,8 +283,11 @@ def test_no_gains_within_the_margins(made: bench.Made, tmp_path: Path) -> None:
 @pytest.mark.usefixtures("stiff")
 @pytest.mark.slow
 def test_gains_that_depend_on_the_axis_are_named(made: bench.Made, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    tuned = TunedAxis(np.full(7, 1e3), 2e-6, 2e-3)
-    monkeypatch.setattr("contourlab.features.commission.command.tune_axis", lambda task, **settings: tuned)
+
+    def tune(task: AxisTask, **settings: Any) -> TunedAxis:
+        return replace(tune_axis(task, **settings), spread=2e-3)
+
+    monkeypatch.setattr("contourlab.features.commission.command.tune_axis", tune)
     log = made.log(tmp_path / "log.csv", {name: values for name, values in made.rows.items() if not name.startswith("y")})
     result = commission(made.ini, made.hal, log=[log]).save(tmp_path / "out")
     assert "CL898" in codes(result)
