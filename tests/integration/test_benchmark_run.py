@@ -66,5 +66,5 @@ def test_each_estimator_and_coupling_has_its_row(monkeypatch: pytest.MonkeyPatch
     rows = couplings.rows_for(2, 1)
     for row in rows:
         row.once()
-    assert [row.name for row in rows] == [couplings.NOTHING, *couplings.ESTIMATORS, *couplings.COUPLINGS]
+    assert [row.name for row in rows] == [couplings.NOTHING, *couplings.ESTIMATORS, *couplings.COUPLINGS, *couplings.OBSERVERS]
     assert all(0.0 < row.best < math.inf for row in rows)

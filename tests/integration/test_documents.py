@@ -9,6 +9,7 @@ import shutil
 from pathlib import Path
 from typing import Any
 
+import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 
@@ -107,8 +108,11 @@ def test_the_scenarios_and_the_python_of_a_guide_run(guide: str, folder: Path) -
     assert all(scenario.base.reference().n_sample for scenario in scenarios.values())
     case = next(iter(scenarios.values())).base
     scope: dict[str, Any] = {"machine": case.machine, "controller": case.controller, "reference": case.reference()}
-    for text in blocks(page, "python"):
-        exec(compile(text, page, "exec"), scope)
+    try:
+        for text in blocks(page, "python"):
+            exec(compile(text, page, "exec"), scope)
+    finally:
+        plt.close("all")
 
 
 def test_every_contour_is_in_the_manual_with_its_parameters() -> None:

@@ -77,6 +77,8 @@ def test_what_machines_differ_in_is_in_their_digest_and_nothing_else(folder: Pat
     axis = machine.axes[0]
     other = replace(machine, axes=(replace(axis, limits=replace(axis.limits, velocity=0.99 * axis.limits.velocity)), *machine.axes[1:]))
     assert identity(other) != identity(machine)
+    skewed = replace(machine, squareness={("x", "y"): 2e-5})
+    assert identity(skewed) != identity(replace(machine, squareness={("x", "y"): 3e-5}))
     assert identity(replace(machine, origins={}, correlations=())) == identity(machine)
 
 

@@ -55,10 +55,15 @@ def _plain(value: Any) -> Any:
     if hasattr(value, "family"):  # a component
         return [value.family, value.kind, value.values()]
     if is_dataclass(value) and not isinstance(value, type):
-        return [type(value).__name__, {each.name: getattr(value, each.name) for each in fields(value) if each.compare}]
+        return [type(value).__name__, {each.name: _keyed(getattr(value, each.name)) for each in fields(value) if each.compare}]
     if isinstance(value, Mapping):
-        return dict(value)
+        return _keyed(value)
     return value.name if isinstance(value, PurePath) else value.tolist() if hasattr(value, "tolist") else repr(value)
+
+
+def _keyed(value: Any) -> Any:
+    """Return a mapping with texts as its keys, which may be pairs of axes; any other value as it is."""
+    return {str(key): item for key, item in value.items()} if isinstance(value, Mapping) else value
 
 
 @contextmanager
