@@ -29,10 +29,10 @@ BUDGETS = {
     "papers": 3451,
     "program": 2601,
     "rendering": 2628,
-    "result": 608,
+    "result": 610,
     "scenario": 2064,
     "study": 1405,
-    "without papers": 59071,
+    "without papers": 59073,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 
