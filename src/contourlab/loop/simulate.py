@@ -22,7 +22,7 @@ from contourlab.loop.feeding import ALONG, DECIDED, PLANNED_TIME, RATE, Feed, Le
 from contourlab.loop.judging import all_finite, watched
 from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.parameters import with_values
-from contourlab.loop.progress import MOST_SLOWER, followed, motion_node
+from contourlab.loop.progress import MOST_SLOWER, followed, most_samples, motion_node
 from contourlab.loop.switches import Change, prepared, taken_over
 from contourlab.loop.template import Wiring, build
 from contourlab.primitives import normal
@@ -271,8 +271,8 @@ def simulate_blocks(
     due = prepared(changes, machine, controller, reference, given, compiled)
     tool = ToolPosition(machine, seed, trial)
     wanted = _wanted([loop, *(change.loop for change in due)], signals)
-    last = reference.n_sample * (MOST_SLOWER if feed.decides else 1)
-    last = last if stop is None else min(stop, last)
+    most = most_samples(controller, reference)
+    last = most if stop is None else min(stop, most)
     edges = sorted({*range(0, last, block), *(change.sample for change in due if change.sample < last), last})
     for start, end in pairwise(edges):
         if due and due[0].sample == start:
@@ -284,7 +284,7 @@ def simulate_blocks(
         if status.ok and not group.finite().all():
             status = first_non_finite(group, saved, fed, start)
         if feed.decides:
-            recorded, status = _to_the_end(recorded, status, reference, start, last)
+            recorded, status = _to_the_end(recorded, status, reference, start, most)
         if not status.ok:
             recorded = {name: data[: status.sample - start + 1] for name, data in recorded.items()}
         if "tool_position" in wanted:
@@ -299,13 +299,13 @@ def planned_end(reference: Reference) -> float:
     return (reference.n_sample - 1) * reference.servo_period
 
 
-def _to_the_end(recorded: dict[str, Array], status: Status, reference: Reference, start: int, last: int) -> tuple[dict[str, Array], Status]:
+def _to_the_end(recorded: dict[str, Array], status: Status, reference: Reference, start: int, most: int) -> tuple[dict[str, Array], Status]:
     """Cut a block at the sample at which the whole motion is done; a run that does not get there has failed."""
     done = np.flatnonzero(recorded[PLANNED_TIME] >= planned_end(reference))
     if done.size and (status.ok or done[0] + start <= status.sample):
         return {name: data[: done[0] + 1] for name, data in recorded.items()}, Status(ok=True)
     n = start + len(recorded[PLANNED_TIME])
-    if status.ok and n == last == MOST_SLOWER * reference.n_sample:
+    if status.ok and n == most:
         share = 100.0 * float(recorded[PLANNED_TIME][-1]) / planned_end(reference)
         status = Status(ok=False, sample=n - 1, reason=f"{MOST_SLOWER} times the planned time, and {share:.3g} % of the motion is done")
     return recorded, status

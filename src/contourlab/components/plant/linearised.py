@@ -62,10 +62,8 @@ def tick_matrix(plant: Any, par: Any, dt: float) -> Array:
     jumps = np.abs(fine) - np.abs(coarse) > UNEVEN * np.abs(fine) + floor
     if (jumps | ((half_bent > 0.75 * bent) & (bent > BENT * np.abs(fine) + floor))).any():
         raise ComponentError(f"a {plant.kind} is not smooth at rest, so it has no linear model: write its `linear`")
-    whole, places = (
-        np.asarray(fine + (fine - coarse) / 3.0),
-        [port.name for port in (*step.states, *step.outputs) for _ in range(port.rows)],
-    )
+    whole = np.asarray(fine + (fine - coarse) / 3.0)
+    places = [port.name for port in (*step.states, *step.outputs) for _ in range(port.rows)]
     for place, name in enumerate(places[:n]):
         begin = np.eye(at.size)[place]
         if name in places[n:] and (whole[places.index(name, n)] == begin).all() and (whole[place] != begin).any():

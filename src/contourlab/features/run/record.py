@@ -68,8 +68,8 @@ def simulate_to_file(
     DivergenceError
         If the loop runs away.
     OutputError
-        If the file cannot be written, or, with the first samples, if all signals do not fit into the space that is free for temporary
-        files (``TMPDIR``): some 320 bytes a sample of three axes.
+        If the file cannot be written. With the first samples, if the space for temporary files (``TMPDIR``) is too small for all signals:
+        some 320 bytes a sample of three axes.
     """
     log = SwitchLog(controller, machine.servo_period, reference, changes)
     kept = tuple(name for name in RECORDED if log.led) if switches is not None else ()
